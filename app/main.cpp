@@ -1,0 +1,3 @@
+#include "app/commands/CommandLine.h"
+
+int main(int argc, char** argv) { return haptiv::runCommandLine(argc, argv); }

@@ -1,0 +1,1 @@
+#include "app/plots/SignalPlot.h"

@@ -1,0 +1,1 @@
+#include "app/replay/ReplayPlayer.h"

@@ -1,0 +1,1 @@
+#include "app/session/HandFile.h"

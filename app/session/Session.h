@@ -1,0 +1,71 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/HandFile.h"
+#include "app/session/SessionLogWriter.h"
+#include "haptics/HapticScene.h"
+#include "haptics/ServoLoop.h"
+
+namespace haptiv {
+
+/// What a session is started with.
+struct SessionSetup {
+  std::shared_ptr<const HapticScene> scene;
+  std::string sceneName;
+  std::string sceneText;
+  DeviceDescription description;
+  double rate = 1000;                          ///< [Hz]
+  std::uint64_t seed = 1;
+  std::vector<HandWaypoint> hand;              ///< in W; empty: the hand lets go (or is live)
+  bool liveHand = false;                       ///< the hand is moved by moveHand, as by the mouse
+  std::optional<std::filesystem::path> log;    ///< none: nothing is recorded
+};
+
+/// What a session came to; kept tick by tick.
+struct SessionSummary {
+  std::uint64_t ticks = 0;
+  std::uint64_t missedTicks = 0;
+  std::uint64_t droppedRecords = 0;
+  double maxForce = 0;          ///< of the environment on the ball [N]
+  double maxPenetration = 0;    ///< [m]
+  std::uint64_t contacts = 0;   ///< times the ball came to touch a wall
+  TickRecord last;
+  void take(const TickRecord& record);
+};
+
+/// A running session: device, servo thread and log writer around one scene. Owns all of them; several can exist.
+/// Construct, call and destroy on one thread (the GUI's, or main's).
+class Session {
+ public:
+  /// Throws std::runtime_error where the log cannot be written or the device not started.
+  explicit Session(SessionSetup setup);
+  ~Session();
+
+  /// Makes a new version of the scene felt, from the next tick on, and logs it. False: the scene could not be taken
+  /// (its device or its tool's home cannot change while a session runs; the rest is taken).
+  void publish(std::shared_ptr<const HapticScene> scene, std::string text);
+  /// Where the live hand wants the ball, in W; nothing: it lets go.
+  void moveHand(const std::optional<Vector3>& p_WH);
+  /// The newest tick, for the display; true if there was a new one since the last call.
+  bool newest(TickRecord& record);
+  const Scheduling& scheduling() const;
+  /// What went wrong with the log so far (disk full, records lost); empty: nothing.
+  std::string logTrouble() const;
+  /// Stops the servo, closes the log. Safe to call twice.
+  SessionSummary stop();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// The same without thread and clock: as fast as the machine allows, for `seconds` of session time; same setup, same
+/// bytes of data.
+SessionSummary runFast(const SessionSetup& setup, double seconds);
+
+}  // namespace haptiv

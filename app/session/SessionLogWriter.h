@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "haptics/HapticScene.h"
+#include "haptics/TickRecord.h"
+
+namespace haptiv {
+
+/// What stands at the head of a session log.
+struct SessionHeader {
+  std::string sceneName;        ///< path of the scene as the user named it
+  std::string sceneText;        ///< the .iv text at the start
+  std::string deviceText;       ///< the device description, TOML
+  std::string softwareVersion;
+  std::string gitHash;
+  std::string startUtc;         ///< ISO 8601; empty in --fast runs, which have no clock
+  std::string scheduling;       ///< how the servo thread ran
+  std::uint64_t seed = 0;
+  double rate = 1000;           ///< [Hz]
+};
+
+/// Writes a session to an HDF5 file that survives kill -9, power cuts and full disks up to the last flush.
+///
+/// Every call may throw std::runtime_error that names the file and says what to do (disk full: what was written
+/// stays readable). Thread: any one.
+class SessionLogWriter {
+ public:
+  SessionLogWriter(const std::filesystem::path& path, const SessionHeader& header);
+  ~SessionLogWriter();  ///< closes without end record if close was not called: the log counts as cut off
+  SessionLogWriter(const SessionLogWriter&) = delete;
+  SessionLogWriter& operator=(const SessionLogWriter&) = delete;
+
+  /// A scene that ticks with this version are going to name; text as in the header.
+  void addScene(const HapticScene& scene, const std::string& text);
+  void append(std::span<const TickRecord> ticks);
+  /// Brings everything to the disk.
+  void flush();
+  /// Ends the log as complete. `dropped`: ticks that never reached the log.
+  void close(std::uint64_t dropped);
+
+ private:
+  struct File;
+  std::unique_ptr<File> file_;
+};
+
+}  // namespace haptiv

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Inventor/nodes/SoSeparator.h>
+
+#include <memory>
+
+#include "device/DeviceDescription.h"
+#include "haptics/HapticScene.h"
+#include "haptics/TickRecord.h"
+#include "scenegraph/NodeRef.h"
+
+namespace haptiv {
+
+/// What moves in the picture of a session: the arm, the ball, and the force arrow at the ball. A graph of its own
+/// beside the scene's, never saved. Thread: GUI.
+class HapticOverlay {
+ public:
+  HapticOverlay();
+  ~HapticOverlay();
+
+  /// To be put beside the scene under one root.
+  SoSeparator* root() const { return root_.get(); }
+  /// Arm and ball of this scene, at rest at the tool's home; no force.
+  void setUp(const HapticScene& scene, const DeviceDescription& description);
+  /// Arm, ball and arrow as of this tick. Touches a field only where its value has changed.
+  void show(const TickRecord& record);
+  /// Where the arm is in the way of the view.
+  void setArmVisible(bool visible);
+  /// Where the ball is drawn, p_WT [m], and its radius [m].
+  Vector3 ballPosition() const;
+  double ballRadius() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+  NodeRef<SoSeparator> root_;
+};
+
+}  // namespace haptiv

@@ -1,0 +1,22 @@
+# What every target of the project is compiled with. Link haptiv_options; nothing is set globally.
+add_library(haptiv_options INTERFACE)
+target_compile_features(haptiv_options INTERFACE cxx_std_20)
+target_include_directories(haptiv_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(haptiv_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+  -ffp-contract=off)  # the same bits from every build: a log must re-simulate
+if(HAPTIV_WARNINGS_AS_ERRORS)
+  target_compile_options(haptiv_options INTERFACE -Werror)
+endif()
+if(HAPTIV_SANITIZE)
+  target_compile_options(haptiv_options INTERFACE
+    -fsanitize=${HAPTIV_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(haptiv_options INTERFACE -fsanitize=${HAPTIV_SANITIZE})
+endif()
+
+# haptiv_library(NAME SOURCES ... LINK ...): one static library per folder.
+function(haptiv_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(${name} PUBLIC haptiv_options ${ARG_LINK})
+endfunction()

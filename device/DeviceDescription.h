@@ -1,0 +1,86 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "device/HapticDevice.h"
+#include "device/types.h"
+
+namespace haptiv {
+
+/// The arm's links [m], as in Table I of the paper.
+struct LinkLengths {
+  double scara = 0.25;          ///< l1 = l2 = l3 = l4
+  double forearm = 0.47;        ///< l5h, and back again l8
+  double lift = 0.212;          ///< l6 = l7
+  double scaraHeight = 0.71;    ///< l5v: the SCARA plane's height above joint 6; for drawing only
+  double wristBracket = 0.15;   ///< l9 = l10; for drawing only
+};
+
+/// The drives of all joints; each vector has one entry a joint.
+struct JointDrives {
+  JointVector gearRatio = JointVector::Constant(100);       ///< motor turns per joint turn
+  JointVector countsPerTurn = JointVector::Constant(4096);  ///< encoder counts per motor turn
+  JointVector rateLimit = JointVector::Constant(6.28);      ///< [rad/s]
+  JointVector torqueLimit = JointVector::Constant(60);      ///< [N m]
+  JointVector inertia = JointVector::Constant(1);           ///< seen at the joint [kg m^2]
+  JointVector bandwidth = JointVector::Constant(400);       ///< of the drive's velocity loop [rad/s]
+
+  /// Encoder counts per radian of the joint.
+  JointVector countsPerRadian() const;
+};
+
+/// The six-axis sensor at the handle.
+struct HandleSensor {
+  double forceResolution = 0.02;    ///< [N] per count
+  double torqueResolution = 0.001;  ///< [N m] per count
+  double forceNoise = 0.02;         ///< standard deviation [N]
+  double torqueNoise = 0.0005;      ///< standard deviation [N m]
+  double forceRange = 400;          ///< [N], saturates beyond
+  double torqueRange = 30;          ///< [N m], saturates beyond
+};
+
+/// The simulated operator: a spring-damper between where the hand wants to be and where the handle is.
+struct HandModel {
+  double stiffness = 400;  ///< [N/m]
+  double damping = 20;     ///< [N s/m]
+  double peakForce = 170;  ///< [N], no hand pulls harder
+};
+
+/// How the host drives the joints.
+struct ControlSettings {
+  double driftGain = 50;           ///< closed-loop correction of the inverse kinematics [1/s]
+  double jointGain = 60;           ///< joint controller: rate per position error [1/s]
+  double singularityDamping = 0.05;   ///< largest damping of the pseudoinverse
+  double singularityThreshold = 0.1;  ///< smallest pivot measure at which damping sets in
+  double trackingErrorLimit = 0.05;   ///< [rad] between desired and measured joint angle; beyond: fault
+};
+
+/// Everything the program knows of one device: data, never code.
+///
+/// Read from a TOML file with `schema = 1`; see docs/device-description.md.
+struct DeviceDescription {
+  std::string name = "vishard10";
+  LinkLengths links;
+  JointDrives drives;
+  HandleSensor sensor;
+  HandModel hand;
+  ControlSettings control;
+  JointVector homeAngles = JointVector::Zero();  ///< gives orientation and elbow side at the start of a session
+  std::string text;                              ///< the file it came from, for the session log
+
+  /// Joint angles [rad] that the encoders report. Realtime-safe: yes.
+  JointVector jointAngles(const DeviceReading& reading) const noexcept;
+  /// Wrench of the hand on the handle, in T. Realtime-safe: yes.
+  Wrench handleWrench(const DeviceReading& reading) const noexcept;
+};
+
+/// Parses a description. Throws std::runtime_error "NAME:LINE:COLUMN: what, and what to do" on syntax errors,
+/// unknown keys, wrong types, wrong array lengths and impossible values.
+DeviceDescription parseDeviceDescription(std::string_view toml, const std::string& sourceName);
+
+/// Finds a description: one of the built-in names ("vishard10"), or a path to a TOML file.
+/// Throws std::runtime_error that lists the built-in names when there is none.
+DeviceDescription loadDeviceDescription(const std::string& nameOrPath);
+
+}  // namespace haptiv

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "device/types.h"
+
+namespace haptiv {
+
+/// What a device reports once per tick: raw counts, as the hardware has them, so that a log of them is lossless.
+/// DeviceDescription turns them into radians, newtons and newton metres.
+struct DeviceReading {
+  std::array<std::int32_t, kJointCount> encoderCounts{};
+  std::array<std::int16_t, 6> sensorCounts{};  ///< force x y z, torque x y z of the hand on the handle, in T
+  bool connected = true;                       ///< false: the counts are the last ones known
+};
+
+/// What the host asks of the joints for the coming tick.
+struct DeviceCommand {
+  JointVector jointRates = JointVector::Zero();  ///< set-points of the velocity-controlled drives [rad/s]
+  bool enabled = false;                          ///< false: the drives brake and ignore the rates
+};
+
+/// The one door between the servo and an arm: simulated, over USB, or replayed from a log.
+///
+/// start and stop belong to the thread that owns the session and may throw std::runtime_error naming the remedy.
+/// read and write belong to the servo thread: realtime-safe but for the device's own I/O, never throwing.
+class HapticDevice {
+ public:
+  virtual ~HapticDevice() = default;
+
+  /// Makes the device ready at a known pose. `period` is the servo's tick [s].
+  virtual void start(double period) = 0;
+  /// The newest state of the device. Realtime-safe: yes.  Thread: servo.
+  virtual DeviceReading read() noexcept = 0;
+  /// Set-points for the coming tick. Realtime-safe: yes.  Thread: servo.
+  virtual void write(const DeviceCommand& command) noexcept = 0;
+  /// Brakes the arm; the device can be started again.
+  virtual void stop() = 0;
+};
+
+}  // namespace haptiv

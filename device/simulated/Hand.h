@@ -1,0 +1,22 @@
+#pragma once
+
+#include "device/types.h"
+
+namespace haptiv {
+
+/// Where the operator's hand wants the handle to be.
+struct HandTarget {
+  bool holding = false;                ///< false: the hand has let go, no force
+  Vector3 position = Vector3::Zero();  ///< p_BH [m]
+};
+
+/// Says what the hand wants at each tick. Implementations: ScriptedHand, LiveHand.
+class HandSource {
+ public:
+  virtual ~HandSource() = default;
+  /// @param time  since the device started [s]; never decreasing
+  /// Realtime-safe: yes.  Thread: servo.
+  virtual HandTarget at(double time) noexcept = 0;
+};
+
+}  // namespace haptiv

@@ -1,0 +1,19 @@
+#include "scenegraph/Diagnostic.h"
+
+#include <algorithm>
+
+namespace haptiv {
+
+bool hasErrors(const Diagnostics& diagnostics) {
+  return std::ranges::any_of(diagnostics, [](const Diagnostic& d) { return d.severity == Diagnostic::Severity::error; });
+}
+
+std::string toText(const Diagnostic& diagnostic) {
+  std::string text = diagnostic.file;
+  if (diagnostic.line > 0) text += ":" + std::to_string(diagnostic.line);
+  text += diagnostic.severity == Diagnostic::Severity::error ? ": error: " : ": warning: ";
+  if (!diagnostic.node.empty()) text += diagnostic.node + ": ";
+  return text + diagnostic.message;
+}
+
+}  // namespace haptiv

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "haptics/HapticScene.h"
+#include "scenegraph/Diagnostic.h"
+#include "scenegraph/SceneFile.h"
+
+namespace haptiv {
+
+/// What a scene graph came to.
+struct CompiledScene {
+  std::shared_ptr<const HapticScene> scene;  ///< null where there are errors
+  Diagnostics diagnostics;
+  std::size_t triangles = 0;                 ///< that Coin draws
+};
+
+/// Turns a scene graph into what the servo feels. Keep one for the life of a document: it remembers which id a shape
+/// had, so that the tool's contact with a wall survives an edit. Thread: GUI.
+class SceneCompiler {
+ public:
+  /// @param lineOf, file  for diagnostics only; nodes made in the editor are not in it
+  CompiledScene compile(SoNode* root, const std::unordered_map<const SoNode*, int>& lineOf = {},
+                        const std::string& file = {});
+
+ private:
+  using PathKey = std::vector<const void*>;
+  std::map<PathKey, ShapeId> ids_;
+  std::uint32_t version_ = 0;
+};
+
+}  // namespace haptiv

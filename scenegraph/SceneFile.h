@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Inventor/nodes/SoSeparator.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "scenegraph/Diagnostic.h"
+#include "scenegraph/NodeRef.h"
+
+namespace haptiv {
+
+/// A scene as it was read: the graph, its text, and on which line each node stands.
+struct SceneFile {
+  std::string path;                                  ///< as the user named it
+  std::string text;                                  ///< every byte of it
+  NodeRef<SoSeparator> root;                         ///< null where the diagnostics hold an error
+  std::unordered_map<const SoNode*, int> lineOf;     ///< 1-based
+  Diagnostics diagnostics;
+};
+
+/// Makes Coin and the haptic nodes ready; call once, before anything else here, on the GUI thread, after SoQt::init
+/// where there is a window.
+void initSceneGraph();
+
+/// Reads a scene; the file may be hostile. Never throws; what is wrong stands in the diagnostics.
+SceneFile readScene(const std::filesystem::path& path);
+/// The same from memory. `name` stands for the path in diagnostics.
+SceneFile readSceneText(std::string_view text, const std::string& name);
+
+/// The graph as Inventor text, readable by readSceneText. Throws std::runtime_error where a value cannot be written
+/// and read back (NaN, infinity), naming node and field.
+std::string writeSceneText(SoNode* root);
+
+/// Writes the graph to a file: wholly or not at all. Throws std::runtime_error that says why.
+void saveScene(SoNode* root, const std::filesystem::path& path);
+
+}  // namespace haptiv
