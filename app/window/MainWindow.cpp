@@ -1,1 +1,179 @@
 #include "app/window/MainWindow.h"
+
+#include <Inventor/Qt/SoQt.h>
+
+#include <QCloseEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <exception>
+
+#include "app/window/LogFolder.h"
+#include "app/window/MainWindowParts.h"
+
+namespace haptiv {
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+  SoQt::init(this);
+  initSceneGraph();
+  parts_ = std::make_unique<Parts>(*this);
+  setObjectName("mainWindow");
+  resize(1280, 720);
+  buildActions();
+  buildDocks();
+  connectParts();
+  parts_->document->createNew();
+  enterEditing();
+}
+
+MainWindow::~MainWindow() {
+  parts_->session->stop();
+  parts_->replayBar->setPlayer(nullptr);
+}
+
+void MainWindow::connectParts() {
+  Parts& p = *parts_;
+  connect(p.newScene, &QAction::triggered, this, [this] {
+    if (mayDiscardChanges()) parts_->document->createNew();
+  });
+  connect(p.open, &QAction::triggered, this, &MainWindow::askToOpen);
+  connect(p.save, &QAction::triggered, this, [this] { save(false); });
+  connect(p.saveAs, &QAction::triggered, this, [this] { save(true); });
+
+  connect(p.document, &SceneDocument::sceneReplaced, this, [this] { showDocument(true); });
+  connect(p.document, &SceneDocument::sceneChanged, p.view, &SceneView::redraw);
+  connect(p.document, &SceneDocument::modifiedChanged, this, &MainWindow::updateTitle);
+  connect(p.document, &SceneDocument::sceneCompiled, this, [this] {
+    if (!parts_->session->isRunning() && !parts_->replay) showDocument(false);
+    if (hasErrors(parts_->document->diagnostics())) parts_->problemsDock->raise();
+  });
+
+  connect(p.start, &QAction::triggered, p.session, &SessionControl::start);
+  connect(p.stop, &QAction::triggered, p.session, &SessionControl::stop);
+  connect(p.closeReplay, &QAction::triggered, this, &MainWindow::enterEditing);
+  connect(p.session, &SessionControl::started, this, &MainWindow::enterSession);
+  connect(p.session, &SessionControl::failed, this, &MainWindow::tell);
+  connect(p.session, &SessionControl::troubled, this,
+          [this](const QString& trouble) { parts_->status->showState(tr("Session runs, its log does not"), trouble); });
+  connect(p.session, &SessionControl::stopped, this, [this] { enterReplay(parts_->session->logPath()); });
+  connect(p.session, &SessionControl::ticked, this, [this](const TickRecord& record) {
+    parts_->view->overlay().show(record);
+    parts_->view->redraw();
+    parts_->plots->append(record);
+    parts_->status->showTick(record, parts_->session->rate());
+  });
+  connect(p.view, &SceneView::handMoved, p.session, &SessionControl::moveHand);
+
+  connect(p.hand, &QAction::toggled, this, [this](bool hand) {
+    parts_->view->setLeftButton(hand ? SceneView::LeftButton::hand : SceneView::LeftButton::select);
+  });
+  connect(p.fromAbove, &QAction::toggled, this, [this](bool above) {
+    if (above) {
+      parts_->view->viewFromAbove();
+    } else {
+      parts_->view->viewFreely();
+    }
+  });
+  connect(p.showAll, &QAction::triggered, p.view, &SceneView::viewAll);
+  connect(p.showArm, &QAction::toggled, this, [this](bool visible) {
+    parts_->view->overlay().setArmVisible(visible);
+    parts_->view->redraw();
+  });
+}
+
+void MainWindow::enterEditing() {
+  Parts& p = *parts_;
+  p.replayBar->setPlayer(nullptr);
+  p.replay.reset();
+  p.replayDock->hide();
+  p.plotsDock->show();
+  p.problemsDock->show();
+  p.plotsDock->raise();
+  for (QAction* each : {p.start, p.newScene, p.open, p.save, p.saveAs, p.select}) each->setEnabled(true);
+  for (QAction* each : {p.stop, p.closeReplay, p.hand}) each->setEnabled(false);
+  p.select->setChecked(true);
+  p.editor->setEnabled(true);
+  p.status->clearSession();
+  p.status->showState(tr("Editing"), tr("click a wall to change it, or start a session to feel the scene"));
+  showDocument(false);
+  updateTitle();
+}
+
+void MainWindow::enterSession() {
+  Parts& p = *parts_;
+  p.plots->clear();
+  p.plotsDock->raise();
+  for (QAction* each : {p.start, p.newScene, p.open}) each->setEnabled(false);
+  for (QAction* each : {p.stop, p.hand}) each->setEnabled(true);
+  p.hand->setChecked(true);
+  p.status->showScheduling(p.session->scheduling());
+  p.status->showState(tr("Session runs"), tr("hold the ball with the left mouse button and pull"));
+}
+
+void MainWindow::enterReplay(const QString& logPath) {
+  Parts& p = *parts_;
+  p.editor->setEnabled(false);
+  p.replayBar->setPlayer(nullptr);
+  p.replay.reset();
+  try {
+    p.replay = std::make_unique<ReplayStage>(logPath, *p.view);
+  } catch (const std::exception& error) {
+    enterEditing();
+    tell(QString::fromUtf8(error.what()));
+    return;
+  }
+  connect(p.replay.get(), &ReplayStage::failed, this, &MainWindow::tell);
+  p.replayBar->setPlayer(&p.replay->player());
+  p.plotsDock->hide();
+  p.problemsDock->hide();
+  p.replayDock->show();
+  for (QAction* each : {p.start, p.stop, p.hand, p.select, p.save, p.saveAs, p.newScene}) each->setEnabled(false);
+  for (QAction* each : {p.open, p.closeReplay}) each->setEnabled(true);
+  p.select->setChecked(true);
+  p.status->clearSession();
+  p.status->showState(tr("Replay"), tr("log saved as %1").arg(logPath));
+  updateTitle();
+}
+
+void MainWindow::showDocument(bool viewAll) {
+  Parts& p = *parts_;
+  if (p.replay) return;
+  p.view->setScene(p.document->root(), viewAll);
+  const auto& scene = p.document->compiled().scene;
+  if (scene && !p.session->isRunning()) {
+    try {
+      p.view->overlay().setUp(*scene, loadDeviceDescription(scene->device.description));
+    } catch (const std::exception& error) {
+      p.status->showState(tr("Editing"), QString::fromUtf8(error.what()));
+    }
+  }
+  if (viewAll) p.view->viewAll();
+  p.view->redraw();
+  updateTitle();
+}
+
+void MainWindow::updateTitle() {
+  const Parts& p = *parts_;
+  const QString scene = p.document->path().isEmpty() ? tr("untitled") : QFileInfo(p.document->path()).fileName();
+  setWindowModified(!p.replay && p.document->isModified());
+  setWindowTitle(p.replay ? tr("%1 - replay - Haptiv").arg(QFileInfo(p.replay->logPath()).fileName())
+                          : tr("%1[*] - Haptiv").arg(scene));
+}
+
+void MainWindow::tell(const QString& what) {
+  auto* box = new QMessageBox(QMessageBox::Warning, tr("Haptiv"), what, QMessageBox::Ok, this);
+  box->setObjectName("messageBox");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayDiscardChanges()) {
+    event->ignore();
+    return;
+  }
+  parts_->session->stop();
+  event->accept();
+}
+
+}  // namespace haptiv

@@ -1,15 +1,42 @@
 #pragma once
 
 #include <QMainWindow>
+#include <memory>
 
 namespace haptiv {
 
 /// The application's window: the view in the middle, the editor's panels beside it, plots or the replay below.
+///
+/// It is in one of three modes, and only one: editing; a session runs (the scene can still be edited, and is felt at
+/// once); a log is replayed (the document waits unchanged). Thread: GUI.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
   explicit MainWindow(QWidget* parent = nullptr);
   ~MainWindow() override;
+
+  /// Opens a scene (.iv) or a session log (.h5), by its content's ending; tells the user what stands in the way.
+  void open(const QString& sceneOrLog);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void buildActions();
+  void buildDocks();
+  void connectParts();
+  void enterEditing();
+  void enterSession();
+  void enterReplay(const QString& logPath);
+  void showDocument(bool viewAll);
+  void updateTitle();
+  bool mayDiscardChanges();
+  bool save(bool askForName);
+  void askToOpen();
+  void tell(const QString& what);
+
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace haptiv

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QAction>
+#include <QDockWidget>
+#include <memory>
+
+#include "app/editor/Editor.h"
+#include "app/plots/LivePlots.h"
+#include "app/replay/ReplayBar.h"
+#include "app/view/SceneView.h"
+#include "app/window/MainWindow.h"
+#include "app/window/ReplayStage.h"
+#include "app/window/SessionControl.h"
+#include "app/window/SessionStatus.h"
+
+namespace haptiv {
+
+/// What the window is made of. Private to MainWindow's sources.
+struct MainWindow::Parts {
+  explicit Parts(MainWindow& window)
+      : view(new SceneView(&window)),
+        document(new SceneDocument(&window)),
+        editor(new Editor(*document, *view, &window)),
+        session(new SessionControl(*document, &window)),
+        plots(new LivePlots(&window)),
+        replayBar(new ReplayBar(&window)),
+        status(new SessionStatus(&window)) {}
+
+  SceneView* view;
+  SceneDocument* document;
+  Editor* editor;
+  SessionControl* session;
+  LivePlots* plots;
+  ReplayBar* replayBar;
+  SessionStatus* status;
+  std::unique_ptr<ReplayStage> replay;
+
+  QDockWidget* plotsDock = nullptr;
+  QDockWidget* replayDock = nullptr;
+  QDockWidget* problemsDock = nullptr;
+
+  QAction* newScene = nullptr;
+  QAction* open = nullptr;
+  QAction* save = nullptr;
+  QAction* saveAs = nullptr;
+  QAction* start = nullptr;
+  QAction* stop = nullptr;
+  QAction* closeReplay = nullptr;
+  QAction* hand = nullptr;
+  QAction* select = nullptr;
+  QAction* fromAbove = nullptr;
+  QAction* showAll = nullptr;
+  QAction* showArm = nullptr;
+};
+
+}  // namespace haptiv

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "app/editor/SceneDocument.h"
+#include "app/session/Session.h"
+#include "device/types.h"
+
+namespace haptiv {
+
+/// Starts, feeds and stops the session that runs on the document's scene. While it runs, every valid compilation of
+/// the document is published to the servo, and the newest tick is announced at the display's pace. Thread: GUI.
+class SessionControl : public QObject {
+  Q_OBJECT
+ public:
+  explicit SessionControl(SceneDocument& document, QObject* parent = nullptr);
+  ~SessionControl() override;
+
+  bool isRunning() const;
+  /// Where the running session's log goes, or the last one's went.
+  QString logPath() const;
+  /// Ticks per second of the running session [Hz].
+  double rate() const;
+  /// How the servo thread of the running session is scheduled.
+  const Scheduling& scheduling() const;
+
+ public slots:
+  /// Starts a session; what stands in the way is told by `failed`.
+  void start();
+  /// Ends it and announces the log.
+  void stop();
+  /// Where the operator's hand wants the ball, p_WH [m]; nothing: it lets go.
+  void moveHand(const std::optional<haptiv::Vector3>& p_WH);
+
+ signals:
+  void started();
+  /// About 60 times a second while a session runs.
+  void ticked(const haptiv::TickRecord& record);
+  /// The session is over and its log is closed.
+  void stopped(const haptiv::SessionSummary& summary);
+  void failed(const QString& message);
+  /// Something about the log has gone wrong; the session goes on.
+  void troubled(const QString& message);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace haptiv
