@@ -25,6 +25,12 @@ struct Shape {
   Matrix3 axes = Matrix3::Identity();  ///< half extents in W, as columns [m]
 };
 
+/// Axis-aligned box in W [m].
+struct Bounds {
+  Vector3 low = Vector3::Zero();
+  Vector3 high = Vector3::Zero();
+};
+
 /// How a surface feels: the wall's law, eqs. (26), (27).
 struct SurfaceProperties {
   double stiffness = 2000;     ///< [N/m]
@@ -47,26 +53,26 @@ struct Zone {
   ShapeId id = 0;
   Kind kind = Kind::viscous;
   Shape shape;
-  double damping = 15;                ///< viscous: [N s/m]
-  double stiffness = 150;             ///< spring: [N/m]
-  double restLength = 0;              ///< spring: [m]
-  Vector3 anchor = Vector3::Zero();   ///< spring: p_WA [m]
+  double damping = 15;               ///< viscous: [N s/m]
+  double stiffness = 150;            ///< spring: [N/m]
+  double restLength = 0;             ///< spring: [m]
+  Vector3 anchor = Vector3::Zero();  ///< spring: p_WA [m]
 };
 
 /// The ball that the hand moves.
 struct Tool {
-  double mass = 2;                  ///< [kg]
-  double damping = 5;               ///< b_free of eq. (28) [N s/m]
-  double radius = 0.01;             ///< [m]
-  Vector3 home = Vector3::Zero();   ///< p_WT at the start of a session [m]
+  double mass = 2;                 ///< [kg]
+  double damping = 5;              ///< b_free of eq. (28) [N s/m]
+  double radius = 0.01;            ///< [m]
+  Vector3 home = Vector3::Zero();  ///< p_WT at the start of a session [m]
 };
 
 /// Where the device stands in the scene: p_WT = p_WB + scale R_WB p_BT.
 struct DevicePlacement {
   std::string description = "vishard10";
-  Vector3 position = Vector3::Zero();        ///< p_WB [m]
-  Matrix3 rotation = Matrix3::Identity();    ///< R_WB
-  double scale = 1;                          ///< scene metres per device metre
+  Vector3 position = Vector3::Zero();      ///< p_WB [m]
+  Matrix3 rotation = Matrix3::Identity();  ///< R_WB
+  double scale = 1;                        ///< scene metres per device metre
 };
 
 /// All that can be felt, flat: what the servo reads of a scene. Immutable once published
@@ -77,6 +83,12 @@ struct HapticScene {
   DevicePlacement device;
   std::vector<Wall> walls;
   std::vector<Zone> zones;
+  std::vector<Bounds> wallBounds;  ///< derived by computeBounds, one a wall
+  std::vector<Bounds> zoneBounds;  ///< derived by computeBounds, one a zone
 };
+
+/// Fills in the bounds by which the servo finds what is near. Whoever builds a scene calls this last; where it was
+/// forgotten (the numbers do not match), the bounds are computed in every tick: slow, and right all the same.
+void computeBounds(HapticScene& scene);
 
 }  // namespace haptiv

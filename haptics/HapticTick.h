@@ -1,12 +1,14 @@
 #pragma once
 
-#include <memory>
+#include <array>
+#include <cstdint>
 
 #include "device/DeviceDescription.h"
 #include "device/Vishard10.h"
 #include "haptics/Admittance.h"
 #include "haptics/HapticScene.h"
 #include "haptics/IfThenRenderer.h"
+#include "haptics/SceneFade.h"
 #include "haptics/TickRecord.h"
 
 namespace haptiv {
@@ -15,13 +17,10 @@ namespace haptiv {
 struct TickState {
   bool started = false;
   AdmittanceState admittance;
-  Matrix3 heldRotation = Matrix3::Identity();     ///< R_BT at the start, held ever after
+  Matrix3 heldRotation = Matrix3::Identity();  ///< R_BT at the start, held ever after
   JointVector desiredAngles = JointVector::Zero();
   ContactSet contacts;
-  std::uint32_t sceneVersion = 0;
-  Vector3 sceneForce = Vector3::Zero();           ///< of the tick before, as felt
-  Vector3 bump = Vector3::Zero();                 ///< force that an edit would have stepped by ...
-  double bumpLeft = 0;                            ///< ... and how much of it is still withheld, 1 to 0
+  SceneFade fade;
   std::uint32_t faults = kNoFault;
 };
 
@@ -29,7 +28,12 @@ struct TickState {
 /// bits, whether the device is simulated, on USB, or a log.
 ///
 /// The path: joint angles and wrench -> contacts and zones at the admittance's position (29) -> admittance ->
-/// redundancy resolution (3) with drift correction -> joint limiter -> safety -> joint controller.
+/// redundancy resolution (3) with drift correction -> joint limiter -> joint controller -> safety.
+/// The virtual mass is inside the control loop (fig. 9): walls act on its motion, which the arm then follows.
+///
+/// All of a record belongs to the instant of its reading; desiredAngles and desiredPosition too: they are what the
+/// joint controller compares the measured ones with. After a fault the record holds what is measured, and no scene
+/// force.
 class HapticTick {
  public:
   HapticTick(const DeviceDescription& description, double period);
@@ -38,9 +42,18 @@ class HapticTick {
   TickRecord operator()(const HapticScene& scene, const DeviceReading& reading, TickState& state) const noexcept;
 
  private:
+  struct Measured;
+  Measured measure(const HapticScene& scene, const DeviceReading& reading) const noexcept;
+  std::uint32_t faultsOf(const DeviceReading& reading, const Measured& measured, const TickState& state) const noexcept;
+  /// The scene's force on the ball, into the record.
+  void feel(const HapticScene& scene, TickState& state, TickRecord& record) const noexcept;
+  /// Admittance, redundancy resolution, limiter and joint controller: the state goes one period on.
+  void move(const HapticScene& scene, const Measured& measured, TickState& state, TickRecord& record) const noexcept;
+
   DeviceDescription description_;
   Vishard10 arm_;
   double period_;
+  std::array<std::int32_t, 6> saturation_{};  ///< sensor counts at the end of the range
 };
 
 }  // namespace haptiv

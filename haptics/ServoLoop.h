@@ -2,11 +2,11 @@
 
 #include <atomic>
 #include <memory>
-#include <string>
 #include <thread>
 
 #include "device/HapticDevice.h"
 #include "haptics/HapticTick.h"
+#include "haptics/realtime/RealtimeThread.h"
 #include "haptics/realtime/RecordRing.h"
 #include "haptics/realtime/TripleBuffer.h"
 
@@ -17,13 +17,6 @@ struct ServoSeams {
   TripleBuffer<std::shared_ptr<const HapticScene>> scene;  ///< GUI -> servo: newest valid scene
   TripleBuffer<TickRecord> display;                        ///< servo -> GUI: newest tick
   RecordRing<TickRecord> log;                              ///< servo -> log writer: every tick
-};
-
-/// How the servo thread runs, to be told to the user.
-struct Scheduling {
-  bool realtime = false;     ///< SCHED_FIFO was permitted
-  bool memoryLocked = false;
-  std::string explanation;   ///< one sentence: what runs, and what to do for better
 };
 
 /// The servo thread: wakes on absolute deadlines, reads the device, runs the tick, writes the device.
@@ -37,7 +30,8 @@ class ServoLoop {
   ServoLoop(const ServoLoop&) = delete;
   ServoLoop& operator=(const ServoLoop&) = delete;
 
-  /// Starts the device and the thread. Throws what HapticDevice::start throws.
+  /// Starts the device and the thread. Throws what HapticDevice::start throws, std::logic_error where no scene was
+  /// written to the seam, and nothing changes where it runs already.
   Scheduling start();
   /// Stops thread and device; safe to call twice.
   void stop();
@@ -47,7 +41,8 @@ class ServoLoop {
 
   HapticDevice& device_;
   HapticTick tick_;
-  double period_;
+  double rate_;
+  Scheduling scheduling_;
   ServoSeams& seams_;
   std::atomic<bool> running_ = false;
   std::thread thread_;

@@ -6,24 +6,20 @@ namespace haptiv {
 
 /// The surface of a shape as seen from a point.
 struct SurfacePoint {
-  double distance = 0;              ///< signed [m]: negative inside
+  double distance = 0;                ///< signed [m]: negative inside
   Vector3 normal = Vector3::UnitZ();  ///< outward unit normal, in W
-  int face = 0;                     ///< which of the shape's faces (box 6, cylinder 3, cone 2, sphere 1)
+  int face = 0;                       ///< which of the shape's faces (box 6, cylinder 3, cone 2, sphere 1)
 };
 
 /// Nearest point of the surface; exact for every kind, inside and outside, in W.
 /// Realtime-safe: yes.  Never NaN for finite input, degenerate shapes included.
 SurfacePoint nearestSurface(const Shape& shape, const Vector3& p_W) noexcept;
 
-/// The same with the face given: for a point inside that came in through that face.
+/// The same with the face given, prolonged beyond its rim: where a face has gone that was touched before.
 /// Realtime-safe: yes.
 SurfacePoint surfaceOfFace(const Shape& shape, const Vector3& p_W, int face) noexcept;
 
 /// Axis-aligned bounds of a shape, in W.
-struct Bounds {
-  Vector3 low = Vector3::Zero();
-  Vector3 high = Vector3::Zero();
-};
 Bounds boundsOf(const Shape& shape) noexcept;
 
 }  // namespace haptiv

@@ -1,0 +1,155 @@
+#include "haptics/HapticTick.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "device/JointLimiter.h"
+#include "device/RedundancyResolution.h"
+#include "haptics/FreeMotion.h"
+#include "haptics/Zones.h"
+
+namespace haptiv {
+namespace {
+
+/// The sensor's count at the end of its range; the count itself ends at 16 bits.
+std::int32_t lastCount(double range, double resolution) {
+  constexpr double kLargest = std::numeric_limits<std::int16_t>::max();
+  return static_cast<std::int32_t>(std::min(std::floor(range / resolution), kLargest));
+}
+
+Vector3 inScene(const DevicePlacement& device, const Vector3& p_BT) noexcept {
+  return device.position + device.scale * (device.rotation * p_BT);
+}
+
+Vector3 inBase(const DevicePlacement& device, const Vector3& p_WT) noexcept {
+  return device.rotation.transpose() * (p_WT - device.position) / device.scale;
+}
+
+bool isFinite(const TickState& state, const TickRecord& record) noexcept {
+  return state.admittance.position.allFinite() && state.admittance.velocity.allFinite() &&
+         state.desiredAngles.allFinite() && state.fade.felt.allFinite() && record.command.jointRates.allFinite();
+}
+
+const Contact* deepest(const ContactSet& contacts) noexcept {
+  const auto end = contacts.contact.begin() + contacts.count;
+  const auto found = std::max_element(contacts.contact.begin(), end,
+                                      [](const Contact& a, const Contact& b) { return a.depth < b.depth; });
+  return found == end ? nullptr : &*found;
+}
+
+}  // namespace
+
+struct HapticTick::Measured {
+  JointVector angles;
+  Pose X_BT;
+  Vector3 p_WT;
+  Vector3 handForce;  ///< in W [N]
+};
+
+HapticTick::HapticTick(const DeviceDescription& description, double period)
+    : description_(description), arm_(description.links), period_(period) {
+  const HandleSensor& sensor = description.sensor;
+  const std::int32_t force = lastCount(sensor.forceRange, sensor.forceResolution);
+  const std::int32_t torque = lastCount(sensor.torqueRange, sensor.torqueResolution);
+  saturation_ = {force, force, force, torque, torque, torque};
+}
+
+HapticTick::Measured HapticTick::measure(const HapticScene& scene, const DeviceReading& reading) const noexcept {
+  Measured measured;
+  measured.angles = description_.jointAngles(reading);
+  measured.X_BT = arm_.forward(measured.angles);
+  measured.p_WT = inScene(scene.device, measured.X_BT.position);
+  const Vector3 force_B = measured.X_BT.rotation * description_.handleWrench(reading).force;
+  measured.handForce = scene.device.rotation * force_B;
+  return measured;
+}
+
+std::uint32_t HapticTick::faultsOf(const DeviceReading& reading, const Measured& measured,
+                                   const TickState& state) const noexcept {
+  std::uint32_t faults = kNoFault;
+  if (!reading.connected) faults |= kFaultDisconnected;
+  for (std::size_t i = 0; i < saturation_.size(); ++i) {
+    if (std::abs(std::int32_t{reading.sensorCounts[i]}) >= saturation_[i]) faults |= kFaultSensorSaturated;
+  }
+  if (!measured.p_WT.allFinite() || !measured.handForce.allFinite()) faults |= kFaultNotFinite;
+  const double error = (state.desiredAngles - measured.angles).cwiseAbs().maxCoeff();
+  if (state.started && !(error <= description_.control.trackingErrorLimit)) faults |= kFaultTracking;
+  return faults;
+}
+
+void HapticTick::feel(const HapticScene& scene, TickState& state, TickRecord& record) const noexcept {
+  const ToolMotion tool{state.admittance.position, state.admittance.velocity, scene.tool.radius};
+  const Vector3 walls = renderWalls(scene, tool, state.contacts);
+  int zones = 0;
+  const Vector3 raw = walls + renderZones(scene, tool, zones);
+  record.environmentForce = state.fade.apply(scene, raw, period_);
+  record.zones = zones;
+  record.contacts = state.contacts.count;
+  if (const Contact* contact = deepest(state.contacts)) {
+    record.penetration = contact->depth;
+    record.deepestWall = contact->wall;
+  }
+}
+
+void HapticTick::move(const HapticScene& scene, const Measured& measured, TickState& state,
+                      TickRecord& record) const noexcept {
+  const DevicePlacement& device = scene.device;
+  const JointVector& rateLimit = description_.drives.rateLimit;
+  AdmittanceState& ball = state.admittance;
+  const Vector3 force =
+      measured.handForce + record.environmentForce + freeMotionForce(ball.velocity, state.contacts, scene.tool.damping);
+  const Vector3 velocity = nextVelocity(ball, force, scene.tool.mass, period_);
+
+  const Pose wanted{inBase(device, ball.position), state.heldRotation};
+  Vector6 twist = driftCorrection(wanted, arm_.forward(state.desiredAngles), description_.control.driftGain);
+  twist.head<3>() += device.rotation.transpose() * velocity / device.scale;
+  const JointVector rates = leastNormRates(arm_.jacobian(state.desiredAngles), twist, description_.control);
+  const double slowed = slowDownFactor(rates, rateLimit);
+
+  const JointVector error = state.desiredAngles - measured.angles;
+  const JointVector command = slowed * rates + description_.control.jointGain * error;
+  record.command = {command.cwiseMin(rateLimit).cwiseMax(-rateLimit), true};
+  state.desiredAngles += slowed * period_ * rates;
+  ball.velocity = slowed * velocity;
+  ball.position += period_ * ball.velocity;
+}
+
+TickRecord HapticTick::operator()(const HapticScene& scene, const DeviceReading& reading,
+                                  TickState& state) const noexcept {
+  const Measured measured = measure(scene, reading);
+  state.faults |= faultsOf(reading, measured, state);
+  if (!state.started) {
+    state.started = true;
+    state.desiredAngles = measured.angles;
+    state.heldRotation = measured.X_BT.rotation;
+    state.admittance = {measured.p_WT, Vector3::Zero()};
+  }
+  TickRecord record;
+  record.sceneVersion = scene.version;
+  record.reading = reading;
+  record.jointAngles = measured.angles;
+  record.desiredAngles = state.desiredAngles;
+  record.position = measured.p_WT;
+  record.desiredPosition = state.admittance.position;
+  record.desiredVelocity = state.admittance.velocity;
+  record.handForce = measured.handForce;
+  if (state.faults == kNoFault) {
+    TickState next = state;
+    TickRecord moved = record;
+    feel(scene, next, moved);
+    move(scene, measured, next, moved);
+    if (isFinite(next, moved)) {
+      state = next;
+      return moved;
+    }
+    state.faults |= kFaultNotFinite;
+  }
+  state.admittance.velocity.setZero();
+  state.fade.felt.setZero();
+  record.faults = state.faults;
+  return record;
+}
+
+}  // namespace haptiv

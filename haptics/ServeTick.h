@@ -1,0 +1,21 @@
+#pragma once
+
+#include "device/HapticDevice.h"
+#include "haptics/HapticTick.h"
+
+namespace haptiv {
+
+/// What every tick does to a device, with a clock (ServoLoop) or without one (FastLoop): read, tick, write.
+///
+/// @param newestScene  called between read and tick; returns const HapticScene&
+/// Realtime-safe: as the device and `newestScene` are.
+template <typename NewestScene>
+TickRecord serveTick(HapticDevice& device, const HapticTick& tick, NewestScene&& newestScene,
+                     TickState& state) noexcept {
+  const DeviceReading reading = device.read();
+  const TickRecord record = tick(newestScene(), reading, state);
+  device.write(record.command);
+  return record;
+}
+
+}  // namespace haptiv

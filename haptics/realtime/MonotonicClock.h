@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstdint>
+
+namespace haptiv {
+
+/// CLOCK_MONOTONIC now [ns]. Realtime-safe: yes (no system call on Linux's vdso).
+std::int64_t monotonicNow() noexcept;
+
+/// Sleeps until CLOCK_MONOTONIC reaches `deadline` [ns]; returns at once where it has passed. Never spins.
+void sleepUntil(std::int64_t deadline) noexcept;
+
+}  // namespace haptiv

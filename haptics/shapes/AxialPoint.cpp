@@ -1,0 +1,23 @@
+#include "haptics/shapes/AxialPoint.h"
+
+#include <Eigen/Geometry>
+
+namespace haptiv {
+
+AxialPoint axialPoint(const Shape& shape, const Vector3& p_W) noexcept {
+  const Vector3 x = shape.axes.col(0);
+  const Vector3 y = shape.axes.col(1);
+  const Vector3 z = shape.axes.col(2);
+  AxialPoint point;
+  point.halfHeight = y.norm();
+  point.radius = x.norm();
+  point.axis = unitOr(y, unitOr(z.cross(x), Vector3::UnitZ()));
+  const Vector3 d = p_W - shape.centre;
+  point.along = d.dot(point.axis);
+  const Vector3 radial = d - point.along * point.axis;
+  point.radial = radial.norm();
+  point.outward = unitOr(radial, unitOr(x, point.axis.unitOrthogonal()));
+  return point;
+}
+
+}  // namespace haptiv
