@@ -10,11 +10,11 @@ namespace haptiv {
 
 /// The arm's links [m], as in Table I of the paper.
 struct LinkLengths {
-  double scara = 0.25;          ///< l1 = l2 = l3 = l4
-  double forearm = 0.47;        ///< l5h, and back again l8
-  double lift = 0.212;          ///< l6 = l7
-  double scaraHeight = 0.71;    ///< l5v: the SCARA plane's height above joint 6; for drawing only
-  double wristBracket = 0.15;   ///< l9 = l10; for drawing only
+  double scara = 0.25;         ///< l1 = l2 = l3 = l4
+  double forearm = 0.47;       ///< l5h, and back again l8
+  double lift = 0.212;         ///< l6 = l7
+  double scaraHeight = 0.71;   ///< l5v: the SCARA plane's height above joint 6; for drawing only
+  double wristBracket = 0.15;  ///< l9 = l10; for drawing only
 };
 
 /// The drives of all joints; each vector has one entry a joint.
@@ -45,20 +45,21 @@ struct HandModel {
   double stiffness = 400;  ///< [N/m]
   double damping = 20;     ///< [N s/m]
   double peakForce = 170;  ///< [N], no hand pulls harder
+  double bandwidth = 40;   ///< of the low-pass by which it follows its own intent [rad/s]
 };
 
 /// How the host drives the joints.
 struct ControlSettings {
-  double driftGain = 50;           ///< closed-loop correction of the inverse kinematics [1/s]
-  double jointGain = 60;           ///< joint controller: rate per position error [1/s]
-  double singularityDamping = 0.05;   ///< largest damping of the pseudoinverse
-  double singularityThreshold = 0.1;  ///< smallest pivot measure at which damping sets in
-  double trackingErrorLimit = 0.05;   ///< [rad] between desired and measured joint angle; beyond: fault
+  double driftGain = 50;               ///< closed-loop correction of the inverse kinematics [1/s]
+  double jointGain = 60;               ///< joint controller: rate per position error [1/s]
+  double singularityDamping = 0.05;    ///< largest damping mu of the pseudoinverse
+  double singularityThreshold = 0.01;  ///< manipulability [m^3] below which damping sets in
+  double trackingErrorLimit = 0.05;    ///< [rad] between desired and measured joint angle; beyond: fault
 };
 
 /// Everything the program knows of one device: data, never code.
 ///
-/// Read from a TOML file with `schema = 1`; see docs/device-description.md.
+/// Read from a TOML file with `schema = 1`; device/descriptions/vishard10.toml shows and explains every key.
 struct DeviceDescription {
   std::string name = "vishard10";
   LinkLengths links;
@@ -76,7 +77,8 @@ struct DeviceDescription {
 };
 
 /// Parses a description. Throws std::runtime_error "NAME:LINE:COLUMN: what, and what to do" on syntax errors,
-/// unknown keys, wrong types, wrong array lengths and impossible values.
+/// unknown keys, wrong types, wrong array lengths and impossible values. Missing keys keep their defaults; schema must
+/// be there.
 DeviceDescription parseDeviceDescription(std::string_view toml, const std::string& sourceName);
 
 /// Finds a description: one of the built-in names ("vishard10"), or a path to a TOML file.

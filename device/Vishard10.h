@@ -20,13 +20,14 @@ class Vishard10 {
 
   /// X_BT at joint angles q [rad]. Realtime-safe: yes.
   Pose forward(const JointVector& q) const noexcept;
-  /// J_BT at q. Realtime-safe: yes.
+  /// J_BT at q: maps joint rates to the tool's twist, in B. Realtime-safe: yes.
   Jacobian jacobian(const JointVector& q) const noexcept;
-  /// Inverse function, eqs. (21)-(23): angles 1..7 that put the wrist centre at p_BT [m]; angles 8, 9, 10 and the
-  /// tool's heading th5* are taken from `like`, so that R_BT stays that of `like`.
-  /// |x|, |y| <= 2 l1 and |z| <= 2 l6 are in reach; others are clamped to it.
+  /// Inverse function, eqs. (21)-(23): angles 1..7 that put the wrist centre at p_BT [m]. The heading th5*, the tilt
+  /// th8* and angles 9 and 10 are those of `like`, and so is R_BT.
+  /// |x|, |y| <= 2 l1 and |z| <= 2 l6 are in reach; others are clamped to it. Realtime-safe: yes.
   JointVector inverse(const Vector3& p_BT, const JointVector& like) const noexcept;
-  /// Places along the arm for drawing it, in B: base, joints 2..5, the column's foot, joints 6..8, wrist centre.
+  /// Places along the arm for drawing it, in B: joints 1..5 in the SCARA plane, the column's head at the end of l5h,
+  /// the column's foot, which is joint 6, joints 7 and 8, the wrist centre. Realtime-safe: yes.
   std::array<Vector3, 10> skeleton(const JointVector& q) const noexcept;
 
  private:

@@ -16,12 +16,12 @@ struct HandWaypoint {
 /// has let go before the first one and where there is none.
 class ScriptedHand : public HandSource {
  public:
+  /// Throws std::runtime_error where the times do not rise or a number is not finite.
   explicit ScriptedHand(std::vector<HandWaypoint> waypoints);
   HandTarget at(double time) noexcept override;
 
  private:
   std::vector<HandWaypoint> waypoints_;
-  std::size_t next_ = 0;
 };
 
 }  // namespace haptiv

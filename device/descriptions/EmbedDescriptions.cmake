@@ -1,0 +1,11 @@
+# haptiv_embed_descriptions(OUTPUT NAME...): writes NAME.toml of this folder into a C++ source, for builtInDescriptions().
+function(haptiv_embed_descriptions output)
+  set(folder ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
+  set(HAPTIV_BUILT_IN_DESCRIPTIONS "")
+  foreach(name IN LISTS ARGN)
+    file(READ ${folder}/${name}.toml text)
+    string(APPEND HAPTIV_BUILT_IN_DESCRIPTIONS "    {\"${name}\", R\"toml(${text})toml\"},\n")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${folder}/${name}.toml)
+  endforeach()
+  configure_file(${folder}/BuiltInDescriptions.cpp.in ${output} @ONLY)
+endfunction()

@@ -1,0 +1,31 @@
+#include "device/simulated/ForceTorqueSensor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace haptiv {
+
+namespace {
+
+std::int16_t counts(double value, double range, double resolution) noexcept {
+  const double most = std::min<double>(std::floor(range / resolution), std::numeric_limits<std::int16_t>::max());
+  return static_cast<std::int16_t>(std::clamp(std::round(value / resolution), -most, most));
+}
+
+}  // namespace
+
+std::array<std::int16_t, 6> ForceTorqueSensor::measure(const Wrench& wrench) noexcept {
+  std::array<std::int16_t, 6> measured{};
+  for (int i = 0; i < 3; ++i) {
+    const double force = wrench.force[i] + sensor_.forceNoise * noise_.next();
+    measured[i] = counts(force, sensor_.forceRange, sensor_.forceResolution);
+  }
+  for (int i = 0; i < 3; ++i) {
+    const double torque = wrench.torque[i] + sensor_.torqueNoise * noise_.next();
+    measured[3 + i] = counts(torque, sensor_.torqueRange, sensor_.torqueResolution);
+  }
+  return measured;
+}
+
+}  // namespace haptiv

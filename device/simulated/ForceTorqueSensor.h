@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "device/DeviceDescription.h"
+#include "device/simulated/Noise.h"
+#include "device/types.h"
+
+namespace haptiv {
+
+/// The six-axis sensor at the handle: noise, saturation at its range, 16-bit counts.
+class ForceTorqueSensor {
+ public:
+  ForceTorqueSensor(const HandleSensor& sensor, std::uint64_t seed) : sensor_(sensor), noise_(seed) {}
+
+  /// Counts of a wrench in T: force x y z, torque x y z. Realtime-safe: yes.
+  std::array<std::int16_t, 6> measure(const Wrench& wrench) noexcept;
+
+ private:
+  HandleSensor sensor_;
+  Noise noise_;
+};
+
+}  // namespace haptiv
