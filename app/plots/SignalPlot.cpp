@@ -1,1 +1,236 @@
 #include "app/plots/SignalPlot.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "app/plots/CalmRange.h"
+#include "app/plots/PlotCanvas.h"
+#include "app/plots/SignalCurve.h"
+#include "app/plots/Signals.h"
+#include "app/plots/TimeWindow.h"
+
+namespace haptiv {
+
+namespace {
+
+constexpr double kZoomPerNotch = 0.8;  // of the shown span
+
+QString header(const QString& title, const std::vector<QString>& names) {
+  QString text = "<b>" + title.toHtmlEscaped() + "</b>";
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += QString("&nbsp;&nbsp; <span style='color:%1'>&#9644;&nbsp;%2</span>")
+                .arg(curveColour(names[i], static_cast<int>(i)).name(), names[i].toHtmlEscaped());
+  }
+  return text;
+}
+
+}  // namespace
+
+struct SignalPlot::Parts {
+  explicit Parts(std::size_t count) : data(count) {}
+
+  QLabel* header = nullptr;
+  QwtPlot* plot = nullptr;
+  QLabel* empty = nullptr;
+  QWidget* cursorLine = nullptr;
+  std::vector<SignalCurve*> curves;
+  CalmRange range;
+  QTimer replotTimer;
+  Signals data;
+  TimeWindow window{kWindow};
+  bool standing = false;
+  bool extentGiven = false;
+  double cursor = 0;
+
+  void fillCurves();
+};
+
+SignalPlot::SignalPlot(const QString& title, const std::vector<QString>& names, QWidget* parent)
+    : QWidget(parent), parts_(std::make_unique<Parts>(names.size())) {
+  Parts& p = *parts_;
+  p.header = new QLabel(header(title, names), this);
+  p.header->setTextFormat(Qt::RichText);
+  p.header->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  p.plot = makePlot(this);
+  p.plot->canvas()->installEventFilter(this);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 2, 4, 0);
+  layout->setSpacing(0);
+  layout->addWidget(p.header);
+  layout->addWidget(p.plot, 1);
+
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    auto* curve = new SignalCurve(curveColour(names[i], static_cast<int>(i)));
+    curve->attach(p.plot);
+    p.curves.push_back(curve);
+  }
+
+  p.cursorLine = new QWidget(p.plot->canvas());
+  p.cursorLine->setAttribute(Qt::WA_TransparentForMouseEvents);
+  p.cursorLine->setAutoFillBackground(true);
+  p.cursorLine->setPalette(QPalette(QColor(0x30, 0x36, 0x3c)));
+  p.cursorLine->hide();
+  p.empty = new QLabel("nothing to show yet", p.plot->canvas());
+  p.empty->setAttribute(Qt::WA_TransparentForMouseEvents);
+  p.empty->setAlignment(Qt::AlignCenter);
+  p.empty->setWordWrap(true);
+  p.empty->setStyleSheet("color: #868e96");
+
+  p.replotTimer.setSingleShot(true);
+  p.replotTimer.setInterval(0);
+  connect(&p.replotTimer, &QTimer::timeout, this, &SignalPlot::replot);
+  replot();
+}
+
+SignalPlot::~SignalPlot() = default;
+
+QSize SignalPlot::sizeHint() const {
+  return {480, 160};
+}
+
+QSize SignalPlot::minimumSizeHint() const {
+  return {180, 90};
+}
+
+void SignalPlot::setMinimumSpan(double span) {
+  parts_->range = CalmRange(span);
+  replotSoon();
+}
+
+void SignalPlot::setEmptyText(const QString& text) {
+  parts_->empty->setText(text);
+}
+
+void SignalPlot::append(double time, const std::vector<double>& values) {
+  Parts& p = *parts_;
+  if (p.standing || (!p.data.empty() && time < p.data.lastTime())) clear();
+  p.data.append(time, values);
+  p.data.dropBefore(time - kWindow);
+  // A young session fills the window from the left.
+  const double start = std::max(p.data.firstTime(), time - kWindow);
+  p.window = TimeWindow(kWindow);
+  p.window.setExtent(start, start + kWindow);
+  replotSoon();
+}
+
+void SignalPlot::setCurves(const std::vector<double>& times, const std::vector<std::vector<double>>& samples) {
+  Parts& p = *parts_;
+  p.standing = true;
+  p.data.set(times, samples);
+  if (!p.extentGiven && !times.empty()) p.window.setExtent(times.front(), times.back());
+  replotSoon();
+}
+
+void SignalPlot::setExtent(double from, double to) {
+  Parts& p = *parts_;
+  p.standing = true;
+  p.extentGiven = true;
+  p.window.setExtent(from, to);
+  replotSoon();
+}
+
+void SignalPlot::setTimeRange(double from, double to) {
+  parts_->window.show(from, to);
+  replotSoon();
+}
+
+std::pair<double, double> SignalPlot::timeRange() const {
+  return {parts_->window.from(), parts_->window.to()};
+}
+
+void SignalPlot::setCursor(double time) {
+  parts_->cursor = time;
+  placeCursor();
+}
+
+double SignalPlot::cursor() const {
+  return parts_->cursor;
+}
+
+void SignalPlot::clear() {
+  Parts& p = *parts_;
+  p.data.clear();
+  p.window = TimeWindow(kWindow);
+  p.standing = p.extentGiven = false;
+  p.cursor = 0;
+  p.range.reset();
+  replotSoon();
+}
+
+void SignalPlot::replotSoon() {
+  if (isVisible() && !parts_->replotTimer.isActive()) parts_->replotTimer.start();
+}
+
+void SignalPlot::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  replotSoon();
+}
+
+void SignalPlot::replot() {
+  Parts& p = *parts_;
+  p.fillCurves();
+  p.plot->setAxisScale(QwtPlot::xBottom, p.window.from(), p.window.to());
+  p.plot->setAxisScale(QwtPlot::yLeft, p.range.lower(), p.range.upper(), p.range.step());
+  p.plot->replot();
+  p.empty->setVisible(p.data.empty());
+  p.empty->setGeometry(p.plot->canvas()->rect());
+  placeCursor();
+}
+
+void SignalPlot::Parts::fillCurves() {
+  const auto columns = static_cast<std::size_t>(std::max(plot->canvas()->width(), 100));
+  const Signals::Drawing drawing = data.draw(window.from(), window.to(), columns);
+  for (std::size_t i = 0; i < curves.size(); ++i) curves[i]->setPoints(drawing.curves[i]);
+  if (drawing.any) range.fit(drawing.least, drawing.greatest);
+}
+
+void SignalPlot::placeCursor() {
+  Parts& p = *parts_;
+  const bool shown = p.standing && !p.data.empty() && p.cursor >= p.window.from() && p.cursor <= p.window.to();
+  if (shown) {
+    const int x = static_cast<int>(std::lround(p.plot->canvasMap(QwtPlot::xBottom).transform(p.cursor)));
+    p.cursorLine->setGeometry(std::min(x, p.plot->canvas()->width() - 1), 0, 1, p.plot->canvas()->height());
+  }
+  p.cursorLine->setVisible(shown);
+}
+
+bool SignalPlot::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) replotSoon();
+  return (parts_->standing && mouse(event)) || QWidget::eventFilter(watched, event);
+}
+
+bool SignalPlot::mouse(QEvent* event) {
+  const auto timeAt = [this](double x) {
+    const double time = parts_->plot->canvasMap(QwtPlot::xBottom).invTransform(x);
+    return parts_->window.bounded(time);
+  };
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseMove: {
+      const auto* move = static_cast<QMouseEvent*>(event);
+      if (!(move->buttons() & Qt::LeftButton)) return false;
+      emit timePicked(timeAt(move->localPos().x()));
+      return event->type() == QEvent::MouseMove;  // a press goes on, so that the keys come to where it was
+    }
+    case QEvent::MouseButtonDblClick:
+      parts_->window.showAll();
+      break;
+    case QEvent::Wheel: {
+      const auto* wheel = static_cast<QWheelEvent*>(event);
+      parts_->window.zoom(std::pow(kZoomPerNotch, wheel->angleDelta().y() / 120.0), timeAt(wheel->position().x()));
+      break;
+    }
+    default:
+      return false;
+  }
+  replotSoon();
+  emit timeRangeChanged(parts_->window.from(), parts_->window.to());
+  return true;
+}
+
+}  // namespace haptiv

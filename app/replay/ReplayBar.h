@@ -9,7 +9,9 @@
 namespace haptiv {
 
 /// The time line below the view: play and pause, speed, a slider, the time, and plots of force and position that
-/// share its cursor.
+/// share its cursor and its zoom.
+///
+/// Keys: space plays and pauses, left and right go one tick (with shift: 10 ms), Home and End to the ends.
 class ReplayBar : public QWidget {
   Q_OBJECT
  public:
@@ -20,6 +22,16 @@ class ReplayBar : public QWidget {
   void setPlayer(ReplayPlayer* player);
 
  private:
+  void buildControls();
+  void addKeys();
+  void connectPlayer();
+  void showTime();
+  void showPlaying();
+  void reserveWidths();
+  void showCurves();
+  void shareRange(double from, double to);
+  void keepCursorInSight(double time);
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

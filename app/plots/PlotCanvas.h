@@ -1,0 +1,17 @@
+#pragma once
+
+#include <qwt_plot.h>
+
+#include <QColor>
+#include <QString>
+
+namespace haptiv {
+
+/// How all plots look: white, a light grid, small grey labels, the time in seconds, no frame but a thin line. The space
+/// beside the axes is fixed, so that nothing moves while a plot rolls.
+QwtPlot* makePlot(QWidget* parent);
+
+/// x, y and z as in the axes of a 3-D view: red, green, blue; others in the order of their index.
+QColor curveColour(const QString& name, int index);
+
+}  // namespace haptiv

@@ -1,0 +1,18 @@
+#include "app/plots/SignalCurve.h"
+
+#include <qwt_scale_map.h>
+
+#include <QPainter>
+
+namespace haptiv {
+
+void SignalCurve::draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap, const QRectF&) const {
+  QPolygonF line;
+  line.reserve(points_.size());
+  for (const QPointF& point : points_) line << QwtScaleMap::transform(xMap, yMap, point);
+  painter->setRenderHint(QPainter::Antialiasing);
+  painter->setPen(QPen(colour_, 1.3));
+  painter->drawPolyline(line);
+}
+
+}  // namespace haptiv
