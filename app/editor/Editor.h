@@ -34,6 +34,8 @@ class Editor : public QObject {
   void setEnabled(bool enabled);
 
  private:
+  void makeActions();
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

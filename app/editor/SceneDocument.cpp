@@ -1,1 +1,168 @@
 #include "app/editor/SceneDocument.h"
+
+#include <Inventor/SoDB.h>
+#include <Inventor/SoPath.h>
+#include <Inventor/nodes/SoSeparator.h>
+
+#include <QTimer>
+#include <stdexcept>
+
+#include "app/editor/Selection.h"
+
+namespace haptiv {
+namespace {
+
+// The device stands so that the scene's origin is in the middle of the arm's reach.
+constexpr char kEmptyScene[] =
+    "#Inventor V2.1 ascii\n\n"
+    "Separator {\n"
+    "  HapticDevice { fields [ SFVec3f position ] position -0.6 0 0 }\n"
+    "  HapticTool { fields [ SFVec3f home ] home 0 0 0.02 }\n"
+    "}\n";
+
+}  // namespace
+
+struct SceneDocument::Parts {
+  SceneFile file;
+  SceneCompiler compiler;
+  CompiledScene compiled;
+  Diagnostics diagnostics;
+  Selection selection;
+  QUndoStack undoStack;
+  bool isChanged = false;    ///< sceneChanged is still to be emitted
+  bool isToCompile = false;  ///< the graph is newer than its compilation
+  bool isFlushPending = false;
+
+  void compile() {
+    CompiledScene next = compiler.compile(file.root.get(), file.lineOf, file.path);
+    if (!next.scene) next.scene = compiled.scene;
+    compiled = std::move(next);
+    diagnostics = file.diagnostics;
+    diagnostics.insert(diagnostics.end(), compiled.diagnostics.begin(), compiled.diagnostics.end());
+    isToCompile = false;
+  }
+};
+
+SceneDocument::SceneDocument(QObject* parent) : QObject(parent), parts_(std::make_unique<Parts>()) {
+  connect(&parts_->undoStack, &QUndoStack::cleanChanged, this, [this](bool clean) { emit modifiedChanged(!clean); });
+  createNew();
+}
+
+SceneDocument::~SceneDocument() {
+  releaseHandles();
+  parts_->undoStack.disconnect(this);
+}
+
+bool SceneDocument::open(const QString& path) {
+  SceneFile file = readScene(path.toStdString());
+  if (!file.root || hasErrors(file.diagnostics)) {
+    parts_->diagnostics = std::move(file.diagnostics);
+    emit diagnosticsChanged();
+    return false;
+  }
+  replaceBy(std::move(file));
+  return true;
+}
+
+void SceneDocument::createNew() {
+  SceneFile file = readSceneText(kEmptyScene, "new scene");
+  if (!file.root) throw std::logic_error("The empty scene cannot be read: call initSceneGraph() first.");
+  file.path.clear();
+  file.lineOf.clear();
+  replaceBy(std::move(file));
+}
+
+void SceneDocument::replaceBy(SceneFile file) {
+  releaseHandles();
+  parts_->selection.set(nullptr);
+  parts_->undoStack.clear();
+  parts_->undoStack.setClean();
+  parts_->file = std::move(file);
+  parts_->compiled = {};
+  parts_->compile();
+  emit sceneReplaced();
+  emit selectionChanged();
+  emit modifiedChanged(false);
+  emit diagnosticsChanged();
+  noteChange();
+  parts_->isToCompile = false;
+}
+
+void SceneDocument::save(const QString& path) {
+  releaseHandles();
+  saveScene(parts_->file.root.get(), path.toStdString());
+  parts_->file.path = path.toStdString();
+  parts_->file.lineOf.clear();  // the saved text has lines of its own
+  const bool wasClean = parts_->undoStack.isClean();
+  parts_->undoStack.setClean();
+  if (wasClean) emit modifiedChanged(false);  // the path may be another one
+}
+
+QString SceneDocument::path() const {
+  return QString::fromStdString(parts_->file.path);
+}
+
+bool SceneDocument::isModified() const {
+  return !parts_->undoStack.isClean();
+}
+
+SoSeparator* SceneDocument::root() const {
+  return parts_->file.root.get();
+}
+
+std::string SceneDocument::text() const {
+  const_cast<SceneDocument*>(this)->releaseHandles();
+  return writeSceneText(parts_->file.root.get());
+}
+
+QUndoStack& SceneDocument::undoStack() {
+  return parts_->undoStack;
+}
+
+const CompiledScene& SceneDocument::compiled() const {
+  return parts_->compiled;
+}
+
+const Diagnostics& SceneDocument::diagnostics() const {
+  return parts_->diagnostics;
+}
+
+const SoPath* SceneDocument::selection() const {
+  return parts_->selection.resolve(root());
+}
+
+void SceneDocument::select(const SoPath* path) {
+  const SoPath* current = selection();
+  if (path == current || (path && current && *path == *current)) return;
+  releaseHandles();
+  parts_->selection.set(path);
+  emit selectionChanged();
+}
+
+void SceneDocument::releaseHandles() {
+  emit handlesInTheWay();
+}
+
+void SceneDocument::noteChange() {
+  parts_->isChanged = true;
+  parts_->isToCompile = true;
+  if (parts_->isFlushPending) return;
+  parts_->isFlushPending = true;
+  QTimer::singleShot(0, this, &SceneDocument::flush);
+}
+
+void SceneDocument::flush() {
+  parts_->isFlushPending = false;
+  if (!parts_->isChanged) return;
+  parts_->isChanged = false;
+  if (!parts_->selection.isEmpty() && !selection()) {
+    parts_->selection.set(nullptr);
+    emit selectionChanged();
+  }
+  if (parts_->isToCompile) parts_->compile();
+  emit sceneChanged();
+  emit sceneCompiled();
+  emit diagnosticsChanged();
+}
+
+}  // namespace haptiv

@@ -33,6 +33,12 @@ class SceneDocument : public QObject {
   std::string text() const;
   QUndoStack& undoStack();
 
+  /// Asks whoever has put handles into the graph to take them out, so that it can be read or changed. Commands,
+  /// text() and save() call it; call it before looking for nodes that a command is to change.
+  void releaseHandles();
+  /// The graph has changed: by a command, or by a handle that is being dragged.
+  void noteChange();
+
   /// Of the last compilation; its scene is the last valid one, which stays in force while there are errors.
   const CompiledScene& compiled() const;
   /// Of opening and compiling, together.
@@ -45,14 +51,21 @@ class SceneDocument : public QObject {
  signals:
   /// The graph was replaced (open, createNew): forget every node of the old one.
   void sceneReplaced();
-  /// The graph was changed by a command; at most once per turn of the event loop.
+  /// Handles must be out of the graph when this returns; they may come back in the next turn of the event loop.
+  void handlesInTheWay();
+  /// The graph was changed, by a command or under a handle; at most once per turn of the event loop.
   void sceneChanged();
   /// A new compilation is there; at most once per turn of the event loop, after sceneChanged.
   void sceneCompiled();
+  /// Compiling or opening has found something new; after sceneCompiled.
+  void diagnosticsChanged();
   void selectionChanged();
   void modifiedChanged(bool modified);
 
  private:
+  void replaceBy(SceneFile file);
+  void flush();
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

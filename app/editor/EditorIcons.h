@@ -1,0 +1,12 @@
+#pragma once
+
+#include <QIcon>
+
+namespace haptiv {
+
+/// The editor's own icons, drawn in plain strokes.
+enum class EditorIcon { wall, dampingZone, springZone, remove, undo, redo, grid };
+
+QIcon editorIcon(EditorIcon icon);
+
+}  // namespace haptiv

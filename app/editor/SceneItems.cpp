@@ -1,0 +1,189 @@
+#include "app/editor/SceneItems.h"
+
+#include <Inventor/fields/SoSFString.h>
+#include <Inventor/nodes/SoBaseColor.h>
+#include <Inventor/nodes/SoMaterial.h>
+#include <Inventor/nodes/SoShape.h>
+#include <Inventor/nodes/SoSwitch.h>
+
+#include <QHash>
+#include <algorithm>
+
+namespace haptiv {
+namespace {
+
+constexpr int kMaxDepth = 256;  // as deep as a scene file may nest
+
+/// What is inherited to the right and downwards.
+struct State {
+  const SoNode* property = nullptr;
+  QColor colour = QColor::fromRgbF(0.8, 0.8, 0.8);
+};
+
+QColor toColour(const SbColor& colour) {
+  return QColor::fromRgbF(colour[0], colour[1], colour[2]);
+}
+
+QString textOf(const SoNode& node, const char* fieldName) {
+  const auto* field = dynamic_cast<const SoSFString*>(node.getField(fieldName));
+  return field ? QString::fromUtf8(field->getValue().getString()) : QString();
+}
+
+bool isProperty(const QString& word) {
+  return word == "HapticSurface" || word == "HapticViscousZone" || word == "HapticSpringZone" ||
+         word == "HapticRubberBand" || word == "HapticNone";
+}
+
+SceneItem::Kind kindOfShape(const SoNode* property) {
+  if (!property) return SceneItem::Kind::scenery;
+  const QString word = keyword(*property);
+  if (word == "HapticSurface") return SceneItem::Kind::wall;
+  if (word == "HapticViscousZone") return SceneItem::Kind::dampingZone;
+  return word == "HapticNone" ? SceneItem::Kind::scenery : SceneItem::Kind::springZone;
+}
+
+QString stemOf(const SceneItem& item) {
+  switch (item.kind) {
+    case SceneItem::Kind::wall:
+      return "wall";
+    case SceneItem::Kind::dampingZone:
+      return "damping zone";
+    case SceneItem::Kind::springZone:
+      return "spring zone";
+    case SceneItem::Kind::tool:
+      return "ball";
+    case SceneItem::Kind::device:
+      return textOf(*item.node, "description");
+    case SceneItem::Kind::scenery:
+      break;
+  }
+  return keyword(*item.node).toLower();
+}
+
+class Walk {
+ public:
+  void visit(SoNode* node, State& state) {
+    const QString word = keyword(*node);
+    if (isProperty(word)) {
+      state.property = node;
+    } else if (word == "HapticTool" || word == "HapticDevice") {
+      add(node, word == "HapticTool" ? SceneItem::Kind::tool : SceneItem::Kind::device, State{});
+    } else if (node->isOfType(SoMaterial::getClassTypeId())) {
+      const auto& colours = static_cast<SoMaterial*>(node)->diffuseColor;
+      if (colours.getNum() > 0) state.colour = toColour(colours[0]);
+    } else if (node->isOfType(SoBaseColor::getClassTypeId())) {
+      const auto& colours = static_cast<SoBaseColor*>(node)->rgb;
+      if (colours.getNum() > 0) state.colour = toColour(colours[0]);
+    } else if (node->isOfType(SoShape::getClassTypeId())) {
+      add(node, kindOfShape(state.property), state);
+    } else if (node->isOfType(SoGroup::getClassTypeId())) {
+      visitChildren(static_cast<SoGroup*>(node), state);
+    }
+  }
+
+  std::vector<SceneItem> take() { return std::move(items_); }
+
+ private:
+  void visitChildren(SoGroup* group, State& state) {
+    if (place_.size() >= kMaxDepth) return;
+    State inner = state;
+    int first = 0;
+    int end = group->getNumChildren();
+    if (group->isOfType(SoSwitch::getClassTypeId())) {
+      const int which = static_cast<SoSwitch*>(group)->whichChild.getValue();
+      if (which == SO_SWITCH_NONE) return;
+      if (which >= 0) {
+        first = std::min(which, end);
+        end = std::min(which + 1, end);
+      }
+    }
+    names_.push_back(group->getName().getString());
+    for (int i = first; i < end; ++i) {
+      place_.push_back(i);
+      visit(group->getChild(i), inner);
+      place_.pop_back();
+    }
+    names_.pop_back();
+    if (!group->isOfType(SoSeparator::getClassTypeId())) state = inner;
+  }
+
+  void add(const SoNode* node, SceneItem::Kind kind, const State& state) {
+    SceneItem item{kind, place_, node, state.property, {}, {}, state.colour};
+    if (state.property) item.label = textOf(*state.property, "label");
+    item.name = item.label;
+    if (item.name.isEmpty()) item.name = node->getName().getString();
+    if (item.name.isEmpty() && names_.size() > 1) item.name = QString::fromUtf8(names_.back());
+    items_.push_back(std::move(item));
+  }
+
+  ScenePlace place_;
+  std::vector<const char*> names_;  ///< DEF names of the groups on the way
+  std::vector<SceneItem> items_;
+};
+
+/// Items without a name get one, and those that share a name get numbers.
+void numberNames(std::vector<SceneItem>& items) {
+  QHash<QString, int> uses;
+  for (SceneItem& item : items) {
+    if (item.name.isEmpty()) item.name = stemOf(item);
+    ++uses[item.name];
+  }
+  QHash<QString, int> seen;
+  for (SceneItem& item : items) {
+    if (uses[item.name] > 1) item.name = QString("%1 (%2)").arg(item.name).arg(++seen[item.name]);
+  }
+}
+
+}  // namespace
+
+std::vector<SceneItem> listScene(SoSeparator* root) {
+  if (!root) return {};
+  Walk walk;
+  State state;
+  walk.visit(root, state);
+  std::vector<SceneItem> items = walk.take();
+  numberNames(items);
+  return items;
+}
+
+const SceneItem* findItem(const std::vector<SceneItem>& items, const SoPath* path) {
+  if (!path) return nullptr;
+  const ScenePlace place = placeOf(*path);
+  const auto found = std::find_if(items.begin(), items.end(), [&](const SceneItem& item) {
+    return item.node == path->getTail() && item.place == place;
+  });
+  return found == items.end() ? nullptr : &*found;
+}
+
+ScenePlace placeOf(const SoPath& path) {
+  ScenePlace place;
+  for (int i = 1; i < path.getLength(); ++i) place.push_back(path.getIndex(i));
+  return place;
+}
+
+NodeRef<SoPath> pathTo(SoSeparator* root, const ScenePlace& place) {
+  NodeRef<SoPath> path(new SoPath(root));
+  SoNode* node = root;
+  for (const int index : place) {
+    if (!node->isOfType(SoGroup::getClassTypeId())) return {};
+    auto* group = static_cast<SoGroup*>(node);
+    if (index >= group->getNumChildren()) return {};
+    path->append(index);
+    node = group->getChild(index);
+  }
+  return path;
+}
+
+QString unusedLabel(const std::vector<SceneItem>& items, const QString& stem) {
+  for (int number = 1;; ++number) {
+    const QString label = QString("%1 %2").arg(stem).arg(number);
+    const auto isTaken = [&](const SceneItem& item) { return item.label == label || item.name == label; };
+    if (std::none_of(items.begin(), items.end(), isTaken)) return label;
+  }
+}
+
+QString keyword(const SoNode& node) {
+  return node.getTypeId().getName().getString();
+}
+
+}  // namespace haptiv

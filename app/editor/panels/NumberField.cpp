@@ -1,0 +1,50 @@
+#include "app/editor/panels/NumberField.h"
+
+#include <QKeyEvent>
+#include <QSignalBlocker>
+
+namespace haptiv {
+
+NumberField::NumberField(const Format& format, QWidget* parent) : QDoubleSpinBox(parent) {
+  setDecimals(format.decimals);
+  setRange(format.minimum, format.maximum);
+  setSingleStep(format.step);
+  setSuffix(format.suffix);
+  setKeyboardTracking(false);
+  setAccelerated(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setAlignment(Qt::AlignRight);
+  setMinimumWidth(110);
+}
+
+void NumberField::show(double value) {
+  const QSignalBlocker quiet(this);
+  setValue(value);
+}
+
+QString NumberField::textFromValue(double value) const {
+  QString text = locale().toString(value, 'f', decimals());
+  const QString point = locale().decimalPoint();
+  if (!text.contains(point)) return text;
+  while (text.endsWith('0')) text.chop(1);
+  if (text.endsWith(point)) text.chop(point.size());
+  return text == "-0" ? "0" : text;
+}
+
+bool NumberField::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+      event->ignore();  // these undo edits of the scene, not of the text in the field
+      return false;
+    }
+  }
+  return QDoubleSpinBox::event(event);
+}
+
+void NumberField::wheelEvent(QWheelEvent* event) {
+  if (hasFocus()) return QDoubleSpinBox::wheelEvent(event);
+  event->ignore();  // the panel is being scrolled
+}
+
+}  // namespace haptiv
