@@ -1,0 +1,169 @@
+/// What every HapticDevice keeps to. Another kind of device joins by an INSTANTIATE_TEST_SUITE_P of its own.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "device/DeviceDescription.h"
+#include "device/HapticDevice.h"
+#include "device/simulated/SimulatedDevice.h"
+
+namespace haptiv {
+namespace {
+
+constexpr double kPeriod = 1e-3;
+
+/// A device with nobody at its handle, standing at its home.
+struct Candidate {
+  std::string name;
+  std::function<std::unique_ptr<HapticDevice>(const DeviceDescription&)> make;
+};
+
+class DeviceContract : public testing::TestWithParam<Candidate> {
+ protected:
+  DeviceReading run(const DeviceCommand& command, int ticks) {
+    for (int i = 0; i < ticks; ++i) device_->write(command);
+    return device_->read();
+  }
+  static DeviceCommand turning(int joint, double rate) {
+    DeviceCommand command;
+    command.enabled = true;
+    command.jointRates[joint] = rate;
+    return command;
+  }
+
+  DeviceDescription description_ = loadDeviceDescription("vishard10");
+  std::unique_ptr<HapticDevice> device_ = GetParam().make(description_);
+};
+
+TEST_P(DeviceContract, StartsAtItsHome) {
+  device_->start(kPeriod);
+  const DeviceReading reading = device_->read();
+  EXPECT_TRUE(reading.connected);
+  const JointVector halfCount = 0.5000001 * description_.drives.countsPerRadian().cwiseInverse();
+  const JointVector error = (description_.jointAngles(reading) - description_.homeAngles).cwiseAbs();
+  EXPECT_TRUE((error.array() <= halfCount.array()).all()) << error.transpose();
+}
+
+TEST_P(DeviceContract, ReadingChangesNothing) {
+  device_->start(kPeriod);
+  const DeviceReading first = device_->read();
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(device_->read().encoderCounts, first.encoderCounts);
+}
+
+TEST_P(DeviceContract, StandsStillWhenNotEnabledWhateverTheRates) {
+  device_->start(kPeriod);
+  const DeviceReading before = device_->read();
+  DeviceCommand command;
+  command.jointRates.setConstant(2);
+  EXPECT_EQ(run(command, 200).encoderCounts, before.encoderCounts);
+}
+
+TEST_P(DeviceContract, StandsStillAtZeroRates) {
+  device_->start(kPeriod);
+  const DeviceReading before = device_->read();
+  EXPECT_EQ(run(turning(0, 0), 200).encoderCounts, before.encoderCounts);
+}
+
+TEST_P(DeviceContract, TurnsEachJointTheWayAndAsFarAsCommandedAndNoOther) {
+  for (int joint = 0; joint < kJointCount; ++joint) {
+    for (const double rate : {0.5, -0.5}) {
+      device_->start(kPeriod);
+      const JointVector before = description_.jointAngles(device_->read());
+      const JointVector turned = description_.jointAngles(run(turning(joint, rate), 500)) - before;
+      for (int i = 0; i < kJointCount; ++i) {
+        // 0.5 rad/s for 0.5 s, less the start: at most 20 ms of it.
+        EXPECT_NEAR(turned[i], i == joint ? rate * 0.5 : 0, i == joint ? 0.01 : 0) << "joint " << i + 1;
+      }
+      device_->stop();
+    }
+  }
+}
+
+TEST_P(DeviceContract, BrakesOnceItIsDisabled) {
+  device_->start(kPeriod);
+  run(turning(2, 1), 300);
+  const DeviceReading braked = run(DeviceCommand{}, 300);
+  EXPECT_EQ(run(DeviceCommand{}, 100).encoderCounts, braked.encoderCounts);
+}
+
+TEST_P(DeviceContract, NeverTurnsFasterThanItsLimits) {
+  device_->start(kPeriod);
+  DeviceCommand command;
+  command.enabled = true;
+  command.jointRates.setConstant(50);
+  JointVector before = description_.jointAngles(device_->read());
+  const JointVector count = description_.drives.countsPerRadian().cwiseInverse();
+  for (int i = 0; i < 300; ++i) {
+    const JointVector now = description_.jointAngles(run(command, 1));
+    const JointVector most = description_.drives.rateLimit * kPeriod + count;  // and one count of rounding
+    ASSERT_TRUE(((now - before).array() <= most.array() * (1 + 1e-9)).all()) << "tick " << i;
+    before = now;
+  }
+}
+
+TEST_P(DeviceContract, StaysSaneWhenAskedForRatesThatAreNoNumbers) {
+  device_->start(kPeriod);
+  DeviceCommand command;
+  command.enabled = true;
+  command.jointRates.setConstant(std::numeric_limits<double>::quiet_NaN());
+  command.jointRates[3] = std::numeric_limits<double>::infinity();
+  const JointVector before = description_.jointAngles(device_->read());
+  const JointVector after = description_.jointAngles(run(command, 100));
+  EXPECT_LT((after - before).cwiseAbs().maxCoeff(), 0.7);  // no more than a tenth of a second at full rate
+}
+
+TEST_P(DeviceContract, FeelsNoHandWhereThereIsNone) {
+  device_->start(kPeriod);
+  for (int i = 0; i < 100; ++i) {
+    const Wrench wrench = description_.handleWrench(run(turning(0, 0.2), 1));
+    // Noise alone: six standard deviations and one count.
+    EXPECT_LT(wrench.force.cwiseAbs().maxCoeff(),
+              6 * description_.sensor.forceNoise + description_.sensor.forceResolution);
+    EXPECT_LT(wrench.torque.cwiseAbs().maxCoeff(),
+              6 * description_.sensor.torqueNoise + description_.sensor.torqueResolution);
+  }
+}
+
+TEST_P(DeviceContract, StandsStillOnceStopped) {
+  device_->start(kPeriod);
+  run(turning(4, 1), 50);
+  device_->stop();
+  const DeviceReading stopped = device_->read();
+  EXPECT_EQ(run(turning(4, 1), 50).encoderCounts, stopped.encoderCounts);
+}
+
+TEST_P(DeviceContract, StandsStillBeforeItIsStarted) {
+  const DeviceReading before = device_->read();
+  EXPECT_EQ(run(turning(4, 1), 50).encoderCounts, before.encoderCounts);
+}
+
+TEST_P(DeviceContract, StopsTwiceAndStartsAgainAndMoves) {
+  device_->start(kPeriod);
+  run(turning(1, 1), 50);
+  device_->stop();
+  device_->stop();
+  device_->start(kPeriod);
+  const DeviceReading before = device_->read();
+  EXPECT_GT(run(turning(1, 1), 50).encoderCounts[1], before.encoderCounts[1]);
+}
+
+TEST_P(DeviceContract, RefusesAPeriodThatIsNone) {
+  for (const double period : {0., -1e-3, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(device_->start(period), std::runtime_error);
+  }
+}
+
+const Candidate kSimulated{"Simulated", [](const DeviceDescription& description) {
+                             return std::make_unique<SimulatedDevice>(description, description.homeAngles, nullptr, 1);
+                           }};
+
+INSTANTIATE_TEST_SUITE_P(All, DeviceContract, testing::Values(kSimulated),
+                         [](const auto& instance) { return instance.param.name; });
+
+}  // namespace
+}  // namespace haptiv

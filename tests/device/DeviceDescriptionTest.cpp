@@ -1,0 +1,155 @@
+#include "device/DeviceDescription.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+#include <stdexcept>
+
+namespace haptiv {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// The message with which a description is refused; empty when it is accepted.
+std::string refusal(const std::string& toml) {
+  try {
+    parseDeviceDescription(toml, "arm.toml");
+    return "";
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+TEST(DeviceDescription, BuiltInIsTheFileOfTheSources) {
+  std::ifstream file(HAPTIV_SOURCE_DIR "/device/descriptions/vishard10.toml", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  ASSERT_FALSE(text.empty());
+  EXPECT_EQ(loadDeviceDescription("vishard10").text, text);
+}
+
+TEST(DeviceDescription, ComesBackFromItsOwnText) {
+  const DeviceDescription built = loadDeviceDescription("vishard10");
+  const DeviceDescription again = parseDeviceDescription(built.text, "log");
+  EXPECT_EQ(again.text, built.text);
+  EXPECT_EQ(again.name, "vishard10");
+  EXPECT_EQ(again.homeAngles, built.homeAngles);
+  EXPECT_EQ(again.drives.gearRatio, built.drives.gearRatio);
+  EXPECT_EQ(again.drives.torqueLimit, built.drives.torqueLimit);
+  EXPECT_EQ(again.drives.gearRatio[0], 160);
+  EXPECT_EQ(again.drives.inertia[9], 0.02);
+}
+
+TEST(DeviceDescription, LoadsFromAPath) {
+  const std::string path = HAPTIV_SOURCE_DIR "/device/descriptions/vishard10.toml";
+  EXPECT_EQ(loadDeviceDescription(path).homeAngles, loadDeviceDescription("vishard10").homeAngles);
+}
+
+TEST(DeviceDescription, TakesEveryKeyOfItsFormat) {
+  const auto d = parseDeviceDescription(
+      "schema = 1\nname = 'small'\n[links]\nscara = 0.1\nforearm = 0.2\nlift = 0.3\nscaraHeight = 0.4\nwristBracket = "
+      "1\n"
+      "[sensor]\nforceResolution = 1\ntorqueResolution = 2\nforceNoise = 3\ntorqueNoise = 4\nforceRange = 5\n"
+      "torqueRange = 6\n[hand]\nstiffness = 7\ndamping = 8\npeakForce = 9\nbandwidth = 10\n[control]\ndriftGain = 11\n"
+      "jointGain = 12\nsingularityDamping = 13\nsingularityThreshold = 14\ntrackingErrorLimit = 15\n",
+      "small.toml");
+  EXPECT_EQ(d.name, "small");
+  EXPECT_EQ(Vector3(d.links.scara, d.links.forearm, d.links.lift), Vector3(0.1, 0.2, 0.3));
+  EXPECT_EQ(d.links.scaraHeight, 0.4);
+  EXPECT_EQ(d.links.wristBracket, 1);
+  EXPECT_EQ(Vector3(d.sensor.forceResolution, d.sensor.forceNoise, d.sensor.forceRange), Vector3(1, 3, 5));
+  EXPECT_EQ(Vector3(d.sensor.torqueResolution, d.sensor.torqueNoise, d.sensor.torqueRange), Vector3(2, 4, 6));
+  EXPECT_EQ(Eigen::Vector4d(d.hand.stiffness, d.hand.damping, d.hand.peakForce, d.hand.bandwidth),
+            Eigen::Vector4d(7, 8, 9, 10));
+  EXPECT_EQ(Vector3(d.control.driftGain, d.control.jointGain, d.control.singularityDamping), Vector3(11, 12, 13));
+  EXPECT_EQ(d.control.singularityThreshold, 14);
+  EXPECT_EQ(d.control.trackingErrorLimit, 15);
+}
+
+TEST(DeviceDescription, KeepsDefaultsForMissingKeysButAsksForTheSchema) {
+  EXPECT_EQ(parseDeviceDescription("schema = 1", "arm.toml").links.scara, LinkLengths{}.scara);
+  EXPECT_THAT(refusal("name = 'arm'"), AllOf(StartsWith("arm.toml:1:1: "), HasSubstr("schema = 1")));
+  EXPECT_THAT(refusal(""), StartsWith("arm.toml:1:1: "));
+}
+
+struct BadFile {
+  const char* what;
+  const char* toml;
+  const char* where;
+  const char* says;
+};
+
+class BadDescription : public testing::TestWithParam<BadFile> {};
+
+TEST_P(BadDescription, IsRefusedWithLineAndColumn) {
+  EXPECT_THAT(refusal(GetParam().toml), AllOf(StartsWith(GetParam().where), HasSubstr(GetParam().says)));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadDescription,
+    testing::Values(
+        BadFile{"Syntax", "schema = 1\n[links\n", "arm.toml:2:", "correct the TOML"},
+        BadFile{"OtherSchema", "schema = 2\n", "arm.toml:1:10: ", "schema = 1"},
+        BadFile{"SchemaAsText", "schema = '1'\n", "arm.toml:1:10: ", "schema = 1"},
+        BadFile{"NameAsNumber", "schema = 1\nname = 3\n", "arm.toml:2:8: ", "name"},
+        BadFile{"UnknownSection", "schema = 1\n[motors]\nx = 1\n", "arm.toml:2:2: ", "motors"},
+        BadFile{"UnknownKey", "schema = 1\n[links]\nscra = 0.25\n", "arm.toml:3:1: ", "links.scra"},
+        BadFile{"SectionAsNumber", "schema = 1\nlinks = 3\n", "arm.toml:2:9: ", "[links]"},
+        BadFile{"TextForNumber", "schema = 1\n[links]\nlift = 'long'\n", "arm.toml:3:8: ", "links.lift"},
+        BadFile{"NumberForList", "schema = 1\n[drives]\ngearRatio = 100\n", "arm.toml:3:13: ", "drives.gearRatio"},
+        BadFile{"ShortList", "schema = 1\n[drives]\ninertia = [1, 2]\n", "arm.toml:3:11: ", "2 entries; give 10"},
+        BadFile{"TextInList", "schema = 1\n[home]\nangles = [0,0,'a',0,0,0,0,0,0,0]\n", "arm.toml:3:15: ", "joint 3"},
+        BadFile{"NegativeLength", "schema = 1\n[links]\nscara = -0.25\n", "arm.toml:3:9: ", "greater than zero"},
+        BadFile{"ZeroGear", "schema = 1\n[drives]\ngearRatio = [1,1,1,1,1,1,1,1,1,0]\n", "arm.toml:3:32: ", "joint 10"},
+        BadFile{"NotANumber", "schema = 1\n[home]\nangles = [nan,0,0,0,0,0,0,0,0,0]\n", "arm.toml:3:11: ", "finite"},
+        BadFile{"Infinite", "schema = 1\n[control]\njointGain = inf\n", "arm.toml:3:13: ", "finite"},
+        BadFile{"NegativeNoise", "schema = 1\n[sensor]\nforceNoise = -1\n", "arm.toml:3:14: ", "negative"},
+        BadFile{"RangeBeyondCounts", "schema = 1\n[sensor]\nforceRange = 1e4\n", "arm.toml:3:14: ", "32767"},
+        BadFile{"TooManyCounts", "schema = 1\n[drives]\ngearRatio = [1e9,1,1,1,1,1,1,1,1,1]\n",
+                "arm.toml:3:13: ", "32-bit"},
+        BadFile{"HomeBeyondCounts", "schema = 1\n[home]\nangles = [1e6,0,0,0,0,0,0,0,0,0]\n",
+                "arm.toml:3:10: ", "turns"}),
+    [](const auto& instance) { return std::string(instance.param.what); });
+
+TEST(DeviceDescription, NamesTheBuiltInOnesWhenThereIsNoSuchDevice) {
+  try {
+    loadDeviceDescription("vishard11");
+    FAIL() << "it was found";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("vishard11"), HasSubstr("vishard10")));
+  }
+}
+
+TEST(DeviceDescription, DecodesCountsToRadiansAndNewtons) {
+  const DeviceDescription d = loadDeviceDescription("vishard10");
+  DeviceReading reading;
+  reading.encoderCounts[0] = 160 * 4096;   // one turn of joint 1
+  reading.encoderCounts[1] = -100 * 1024;  // a quarter turn back of joint 2
+  reading.sensorCounts = {100, -200, 0, 1000, 0, -30000};
+  const JointVector q = d.jointAngles(reading);
+  EXPECT_NEAR(q[0], 2 * std::numbers::pi, 1e-14);
+  EXPECT_NEAR(q[1], -std::numbers::pi / 2, 1e-14);
+  EXPECT_EQ(q[2], 0);
+  const Wrench wrench = d.handleWrench(reading);
+  EXPECT_TRUE(wrench.force.isApprox(Vector3(2, -4, 0), 1e-14));
+  EXPECT_TRUE(wrench.torque.isApprox(Vector3(1, 0, -30), 1e-14));
+}
+
+TEST(DeviceDescription, GivesGearsAndRatesOfThePapersDrives) {
+  const DeviceDescription d = loadDeviceDescription("vishard10");
+  for (int i = 0; i < kJointCount; ++i) {
+    EXPECT_EQ(d.drives.countsPerTurn[i], 4096);
+    EXPECT_GE(d.drives.gearRatio[i], 100);
+    EXPECT_LE(d.drives.gearRatio[i], 160);
+    // One motor speed: 100:1 gives 2 pi rad/s and 160:1 gives 4 rad/s, within 3 %.
+    EXPECT_NEAR(d.drives.rateLimit[i] * d.drives.gearRatio[i], 200 * std::numbers::pi, 0.03 * 200 * std::numbers::pi);
+  }
+}
+
+}  // namespace
+}  // namespace haptiv

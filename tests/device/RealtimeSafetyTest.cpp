@@ -1,0 +1,81 @@
+/// The servo's path through the device never allocates: malloc is counted while it runs.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+#include "device/JointLimiter.h"
+#include "device/RedundancyResolution.h"
+#include "device/Vishard10.h"
+#include "device/simulated/ScriptedHand.h"
+#include "device/simulated/SimulatedDevice.h"
+
+// Sanitizers bring their own malloc.
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define HAPTIV_COUNTS_MALLOC 1
+
+namespace {
+thread_local bool counting = false;
+thread_local int allocations = 0;
+}  // namespace
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+
+void* malloc(std::size_t size) {  // Eigen and operator new both end here
+  if (counting) ++allocations;
+  return __libc_malloc(size);
+}
+}
+#endif
+
+namespace haptiv {
+namespace {
+
+#ifdef HAPTIV_COUNTS_MALLOC
+
+template <typename Function>
+int allocationsOf(Function&& function) {
+  allocations = 0;
+  counting = true;
+  function();
+  counting = false;
+  return allocations;
+}
+
+TEST(ServoPathOfTheDevice, CountsTheAllocationsThatThereAre) {
+  EXPECT_EQ(allocationsOf([] { std::free(std::malloc(8)); }), 1);
+  EXPECT_GE(allocationsOf([] { Eigen::MatrixXd::Random(20, 20).eval(); }), 1);
+}
+
+TEST(ServoPathOfTheDevice, NeverAllocates) {
+  const DeviceDescription description = loadDeviceDescription("vishard10");
+  const Vishard10 arm(description.links);
+  SimulatedDevice device(description, description.homeAngles,
+                         std::make_unique<ScriptedHand>(std::vector<HandWaypoint>{{0.01, {0.4, 0, 0}}}), 1);
+  device.start(1e-3);
+  const Pose desired = arm.forward(description.homeAngles);
+  DeviceCommand command;
+  command.enabled = true;
+  const int count = allocationsOf([&] {
+    for (int i = 0; i < 100; ++i) {
+      const DeviceReading reading = device.read();
+      const JointVector q = description.jointAngles(reading);
+      Vector6 twist = driftCorrection(desired, arm.forward(q), description.control.driftGain);
+      twist.head<3>() += 1e-3 * description.handleWrench(reading).force;
+      command.jointRates = leastNormRates(arm.jacobian(q), twist, description.control);
+      command.jointRates *= slowDownFactor(command.jointRates, description.drives.rateLimit);
+      device.write(command);
+      leastNormRates(Jacobian::Zero(), twist, description.control);
+      arm.inverse(desired.position, q);
+    }
+  });
+  EXPECT_EQ(count, 0);
+}
+
+#endif
+
+}  // namespace
+}  // namespace haptiv
