@@ -70,7 +70,8 @@ ContactSet wallsAround(const HapticScene& scene, const Vector3& place, double ra
   return near;
 }
 
-/// Keeps the walls that hold the ball back, each with its share of the depth.
+/// Keeps the walls that hold the ball back, each with its share of the depth; but none is felt deeper than the ball is
+/// in it: in a gap narrower than the ball the shares have no meaning.
 void keepTouching(const ToolMotion& tool, ContactSet& contacts) noexcept {
   Planes planes;
   for (int i = 0; i < contacts.count; ++i) {
@@ -81,9 +82,10 @@ void keepTouching(const ToolMotion& tool, ContactSet& contacts) noexcept {
   int kept = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(planes.count); ++i) {
     Contact contact = contacts.contact[i];
-    // In a gap narrower than the ball the shares grow without meaning: no wall is felt deeper than the ball is in it.
-    contact.depth = std::min(planes.share[i], contact.offset - contact.normal.dot(tool.position));
-    if (contact.depth > 0) contacts.contact[static_cast<std::size_t>(kept++)] = contact;
+    if (!(planes.share[i] > 0)) continue;
+    const double depth = contact.offset - contact.normal.dot(tool.position);
+    contact.depth = std::clamp(depth, 0.0, planes.share[i]);
+    contacts.contact[static_cast<std::size_t>(kept++)] = contact;
   }
   contacts.count = kept;
 }

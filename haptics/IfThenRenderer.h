@@ -18,7 +18,7 @@ struct Contact {
   ShapeId id = 0;
   std::int32_t wall = 0;              ///< index into HapticScene::walls
   std::int32_t face = 0;              ///< at which the ball was stopped
-  double depth = 0;                   ///< how far the wall holds the ball back [m], > 0
+  double depth = 0;                   ///< how far the wall holds the ball back [m]; 0: only where the others press it
   Vector3 normal = Vector3::UnitZ();  ///< outward, in W
   double offset = 0;                  ///< the wall leaves the ball's centre x where normal . x >= offset [m]
   Vector3 force = Vector3::Zero();    ///< on the ball, in W [N]

@@ -14,7 +14,9 @@ AxialPoint axialPoint(const Shape& shape, const Vector3& p_W) noexcept {
   point.axis = unitOr(y, unitOr(z.cross(x), Vector3::UnitZ()));
   const Vector3 d = p_W - shape.centre;
   point.along = d.dot(point.axis);
-  const Vector3 radial = d - point.along * point.axis;
+  Vector3 radial = d - point.along * point.axis;
+  radial -= radial.dot(point.axis) * point.axis;            // once more, for points all but on the axis
+  if (radial.norm() <= 1e-15 * d.norm()) radial.setZero();  // what is left there is rounding
   point.radial = radial.norm();
   point.outward = unitOr(radial, unitOr(x, point.axis.unitOrthogonal()));
   return point;

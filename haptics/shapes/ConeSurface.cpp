@@ -58,8 +58,10 @@ SurfacePoint nearestOnCone(const Shape& shape, const Vector3& p_W) noexcept {
   const double t = std::clamp(fromApex, 0.0, slant.length);
   const SurfacePoint toSide = from(point, t * slant.radial, point.halfHeight + t * slant.along, side);
   const SurfacePoint toBase = from(point, std::min(point.radial, point.radius), -point.halfHeight, base);
-  if (toBase.distance != toSide.distance) return toBase.distance < toSide.distance ? toBase : toSide;
-  return base.distance > side.distance ? toBase : toSide;
+  const double difference = toBase.distance - toSide.distance;
+  const bool atTheRim = std::abs(difference) <= 1e-12 * std::max(toBase.distance, toSide.distance);
+  const bool baseIsNearer = atTheRim ? base.distance > side.distance : difference < 0;
+  return baseIsNearer ? toBase : toSide;
 }
 
 }  // namespace haptiv

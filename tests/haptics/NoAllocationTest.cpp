@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <memory>
+
+#include "haptics/HapticTick.h"
+#include "haptics/ServoLoop.h"
+#include "tests/haptics/MallocCounter.h"
+#include "tests/haptics/RandomShapes.h"
+#include "tests/haptics/ReadingOf.h"
+
+namespace haptiv {
+namespace {
+
+using testing::allocationsOfThisThread;
+using testing::readingOf;
+
+class NoAllocation : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!testing::countsAllocations()) GTEST_SKIP() << "the sanitizer has an allocator of its own";
+  }
+};
+
+TEST_F(NoAllocation, IsWhatTheCounterWouldSee) {
+  const std::size_t before = allocationsOfThisThread();
+  void* volatile block = std::malloc(16);
+  std::free(block);
+  const Eigen::VectorXd heap = Eigen::VectorXd::Zero(32);
+  EXPECT_EQ(heap.size(), 32);
+  EXPECT_EQ(allocationsOfThisThread() - before, 2u);
+}
+
+/// Walls of every kind, zones of both, more contacts than are felt, an edit, and a fault.
+TEST_F(NoAllocation, HappensInAnyTick) {
+  const DeviceDescription description = loadDeviceDescription("vishard10");
+  const Vector3 home = Vishard10(description.links).forward(description.homeAngles).position;
+  testing::RandomShapes random(1);
+  HapticScene scene;
+  for (int i = 0; i < 40; ++i) {
+    Wall wall;
+    wall.id = static_cast<ShapeId>(i);
+    wall.shape = random.shape(static_cast<Shape::Kind>(i % 4), 0.05);
+    wall.shape.centre += home;
+    scene.walls.push_back(wall);
+    Zone zone;
+    zone.kind = i % 2 == 0 ? Zone::Kind::viscous : Zone::Kind::spring;
+    zone.shape = wall.shape;
+    scene.zones.push_back(zone);
+  }
+  for (const bool withBounds : {false, true}) {
+    if (withBounds) computeBounds(scene);
+    const HapticTick tick(description, 1e-3);
+    TickState state;
+    int contacts = 0;
+    const std::size_t before = allocationsOfThisThread();
+    for (int i = 0; i < 200; ++i) {
+      scene.version = static_cast<std::uint32_t>(i / 50);
+      const DeviceReading reading = readingOf(description, description.homeAngles, {1, 2, 3});
+      contacts = std::max(contacts, tick(scene, reading, state).contacts);
+    }
+    EXPECT_EQ(allocationsOfThisThread() - before, 0u);
+    EXPECT_GT(contacts, 0);
+  }
+}
+
+TEST_F(NoAllocation, HappensInHandingOverScenesAndRecords) {
+  ServoSeams seams;
+  seams.scene.write(std::make_shared<const HapticScene>());
+  const std::size_t before = allocationsOfThisThread();
+  seams.scene.update();
+  for (int i = 0; i < 9000; ++i) {
+    seams.log.push({});
+    seams.display.write({});
+  }
+  EXPECT_EQ(allocationsOfThisThread() - before, 0u);
+}
+
+}  // namespace
+}  // namespace haptiv
