@@ -156,7 +156,8 @@ TEST(Vishard10, StandsLevelAndRegularAtTheHomeOfItsDescription) {
   EXPECT_LT((arm.inverse({0.35, 0, 0}, home) - home).norm(), kRounding);
   const Eigen::Matrix<double, 3, 10> J_rot = arm.jacobian(home).bottomRows<3>();
   const Matrix3 gram = J_rot * J_rot.transpose();
-  EXPECT_GT(std::sqrt(Eigen::SelfAdjointEigenSolver<Matrix3>(gram).eigenvalues()[0]), 0.9);  // 1 where axes are perpendicular
+  EXPECT_GT(std::sqrt(Eigen::SelfAdjointEigenSolver<Matrix3>(gram).eigenvalues()[0]),
+            0.9);  // 1 where axes are perpendicular
 }
 
 }  // namespace
