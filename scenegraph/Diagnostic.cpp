@@ -5,7 +5,8 @@
 namespace haptiv {
 
 bool hasErrors(const Diagnostics& diagnostics) {
-  return std::ranges::any_of(diagnostics, [](const Diagnostic& d) { return d.severity == Diagnostic::Severity::error; });
+  return std::ranges::any_of(diagnostics,
+                             [](const Diagnostic& d) { return d.severity == Diagnostic::Severity::error; });
 }
 
 std::string toText(const Diagnostic& diagnostic) {

@@ -12,9 +12,9 @@ struct Diagnostic {
   enum class Severity { error, warning };
   Severity severity = Severity::error;
   std::string file;
-  int line = 0;                  ///< 1-based; 0: not known
-  std::string node;              ///< the node's keyword and, where it has one, its label or DEF name
-  std::string message;           ///< what is wrong and what to change, one sentence
+  int line = 0;                    ///< 1-based; 0: not known
+  std::string node;                ///< the node's keyword and, where it has one, its label or DEF name
+  std::string message;             ///< what is wrong and what to change, one sentence
   const SoNode* source = nullptr;  ///< for finding the node in the scene that was read; never dereferenced
 };
 using Diagnostics = std::vector<Diagnostic>;

@@ -15,7 +15,7 @@ namespace haptiv {
 struct CompiledScene {
   std::shared_ptr<const HapticScene> scene;  ///< null where there are errors
   Diagnostics diagnostics;
-  std::size_t triangles = 0;                 ///< that Coin draws
+  std::size_t triangles = 0;  ///< that Coin draws
 };
 
 /// Turns a scene graph into what the servo feels. Keep one for the life of a document: it remembers which id a shape

@@ -14,10 +14,10 @@ namespace haptiv {
 
 /// A scene as it was read: the graph, its text, and on which line each node stands.
 struct SceneFile {
-  std::string path;                                  ///< as the user named it
-  std::string text;                                  ///< every byte of it
-  NodeRef<SoSeparator> root;                         ///< null where the diagnostics hold an error
-  std::unordered_map<const SoNode*, int> lineOf;     ///< 1-based
+  std::string path;                               ///< as the user named it
+  std::string text;                               ///< every byte of it
+  NodeRef<SoSeparator> root;                      ///< null where the diagnostics hold an error
+  std::unordered_map<const SoNode*, int> lineOf;  ///< 1-based
   Diagnostics diagnostics;
 };
 

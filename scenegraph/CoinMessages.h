@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Inventor/errors/SoError.h>
+
+#include <string>
+
+#include "scenegraph/Diagnostic.h"
+
+namespace haptiv {
+
+/// While it lives, what Coin complains about becomes diagnostics instead of lines on stderr. Thread: GUI.
+class CoinMessages {
+ public:
+  explicit CoinMessages(std::string file);
+  ~CoinMessages();
+  CoinMessages(const CoinMessages&) = delete;
+  CoinMessages& operator=(const CoinMessages&) = delete;
+
+  const Diagnostics& diagnostics() const { return diagnostics_; }
+
+ private:
+  static void onReadError(const SoError* error, void* self);
+  static void onDebugError(const SoError* error, void* self);
+
+  std::string file_;
+  Diagnostics diagnostics_;
+  SoErrorCB* readHandler_;
+  void* readData_;
+  SoErrorCB* debugHandler_;
+  void* debugData_;
+};
+
+}  // namespace haptiv

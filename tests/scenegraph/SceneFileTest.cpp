@@ -1,0 +1,227 @@
+#include "scenegraph/SceneFile.h"
+
+#include <Inventor/manips/SoHandleBoxManip.h>
+#include <Inventor/nodes/SoCube.h>
+#include <Inventor/nodes/SoInfo.h>
+#include <Inventor/nodes/SoTranslation.h>
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "tests/scenegraph/SceneTesting.h"
+
+namespace haptiv {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::read;
+using testing::ScratchFolder;
+using testing::textOf;
+
+const std::string kHeader = "#Inventor V2.1 ascii\n";
+
+std::string errorsOf(const std::string& text) {
+  const SceneFile scene = readSceneText(text, "test.iv");
+  EXPECT_FALSE(scene.root);
+  return textOf(scene.diagnostics);
+}
+
+void put(const fs::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+std::string contentsOf(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+std::string messageOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+TEST(SceneFile, KnowsTheLineOfEachNode) {
+  const SceneFile scene =
+      read("# a comment { \"\nSeparator {\n  Cube { }\n\n  DEF x Cube { width 1\n height 2 } }\nUSE x Cube { }\n");
+  ASSERT_TRUE(scene.root);
+  auto* group = static_cast<SoSeparator*>(scene.root->getChild(0));
+  EXPECT_EQ(scene.lineOf.at(group), 3);
+  EXPECT_EQ(scene.lineOf.at(group->getChild(0)), 4);
+  EXPECT_EQ(scene.lineOf.at(group->getChild(1)), 6);
+  EXPECT_EQ(scene.lineOf.at(scene.root->getChild(2)), 8);
+}
+
+TEST(SceneFile, KnowsTheLinesOfVrmlWhoseFieldsStandInAnotherOrder) {
+  const SceneFile scene = readSceneText(
+      "#VRML V2.0 utf8\nTransform { children [\n Shape {\n geometry Box { }\n appearance Appearance { } }\n Shape {\n"
+      " geometry Sphere { } } ] }\n",
+      "test.wrl");
+  ASSERT_TRUE(scene.root) << textOf(scene.diagnostics);
+  std::vector<int> lines;
+  for (const auto& [node, line] : scene.lineOf) lines.push_back(line);
+  EXPECT_THAT(lines, ::testing::UnorderedElementsAre(2, 3, 4, 5, 6, 7));
+}
+
+TEST(SceneFile, SaysWhatIsWrongWithAFileThatIsNoScene) {
+  const ScratchFolder folder;
+  const auto fault = [&](const fs::path& path) { return textOf(readScene(path).diagnostics); };
+  EXPECT_THAT(fault(folder.path() / "none.iv"), HasSubstr("there is no such file"));
+  EXPECT_THAT(fault(folder.path()), HasSubstr("is a folder"));
+  put(folder.path() / "empty.iv", "");
+  EXPECT_THAT(fault(folder.path() / "empty.iv"), HasSubstr("the file is empty"));
+  ASSERT_EQ(::mkfifo((folder.path() / "pipe.iv").c_str(), 0600), 0);
+  EXPECT_THAT(fault(folder.path() / "pipe.iv"), HasSubstr("not a regular file"));
+  EXPECT_THAT(fault(std::string(5000, 'x')), HasSubstr("cannot be looked at"));
+  if (::geteuid() != 0) {  // root reads everything
+    put(folder.path() / "secret.iv", kHeader);
+    fs::permissions(folder.path() / "secret.iv", fs::perms::none);
+    EXPECT_THAT(fault(folder.path() / "secret.iv"), HasSubstr("check its permissions"));
+  }
+}
+
+TEST(SceneFile, RefusesBytesThatAreNoText) {
+  EXPECT_THAT(errorsOf(kHeader + std::string("Cube { width 1\0 }", 17)), HasSubstr("control character"));
+  EXPECT_THAT(errorsOf(std::string("\0\0\0", 3)), HasSubstr("is this an Open Inventor file?"));
+  EXPECT_THAT(errorsOf("#Inventor V2.1 binary\n..."), HasSubstr("the file is binary"));
+}
+
+TEST(SceneFile, RefusesWhatIsTooLongOrTooDeepForCoin) {
+  EXPECT_THAT(errorsOf(kHeader + "DEF " + std::string(100000, 'a') + " Cube { }"), HasSubstr("longer than 1000"));
+  EXPECT_THAT(errorsOf(kHeader + "Info { string \"" + std::string(100000, 'a') + "\" }"),
+              HasSubstr("longer than 65536"));
+  std::string deep;
+  for (int i = 0; i < 20000; ++i) deep += "Group {";
+  EXPECT_THAT(errorsOf(kHeader + deep + std::string(20000, '}')), HasSubstr("deeper than 256 levels"));
+}
+
+TEST(SceneFile, RefusesADeepChainOfUses) {
+  std::string chain = kHeader + "DEF a0 Separator { Cube { } }";
+  for (int i = 1; i < 3000; ++i) {
+    chain += "DEF a" + std::to_string(i) + " Separator { USE a" + std::to_string(i - 1) + " }\n";
+  }
+  EXPECT_THAT(errorsOf(chain), ::testing::AnyOf(HasSubstr("deeper than 1000"), HasSubstr("too large")));
+}
+
+TEST(SceneFile, KeepsItsHandsOffFilesOutsideOfTheScenesFolder) {
+  const ScratchFolder folder;
+  put(folder.path() / "outside.png", "secret");
+  fs::create_directory(folder.path() / "scene");
+  fs::create_symlink("../outside.png", folder.path() / "scene/link.png");
+  ASSERT_EQ(::mkfifo((folder.path() / "scene/pipe.png").c_str(), 0600), 0);
+  for (const std::string name : {"../outside.png", "/dev/zero", "link.png", "pipe.png", "http://example.org/a.png"}) {
+    for (const std::string body : {"Texture2 { filename \"" + name + "\" }", "Texture2 { filename " + name + " }",
+                                   "TextureCubeMap { filenameNegX \"" + name + "\" }",
+                                   "VRMLImageTexture { url [ \"a.png\", \"" + name + "\" ] }"}) {
+      put(folder.path() / "scene/test.iv", kHeader + body);
+      const SceneFile scene = readScene(folder.path() / "scene/test.iv");
+      EXPECT_FALSE(scene.root) << body;
+      EXPECT_THAT(textOf(scene.diagnostics), HasSubstr(":2: error: ")) << body;
+    }
+  }
+}
+
+TEST(SceneFile, LoadsASceneWithoutATextureThatIsMissing) {
+  const SceneFile scene = readSceneText(kHeader + "\nTexture2 { filename \"none.png\" } Cube { }", "test.iv");
+  EXPECT_TRUE(scene.root);
+  EXPECT_THAT(textOf(scene.diagnostics), HasSubstr("test.iv:3: warning: Could not read texture file 'none.png'"));
+}
+
+TEST(SceneFile, ReadsSceneryAsCoinDoes) {
+  for (const std::string body :
+       {"Info { string \"braces } and { and \\\" quotes # are text\" }", "Cube { } # the end", "DEF a-b_c+1 Cube { }",
+        "Coordinate3 { point [ 0 0 0, 1 0 0, 1 1 0 ] } IndexedFaceSet { coordIndex [ 0, 1, 2, -1 ] }",
+        "Foo { fields [ SFFloat x ] x 2 }", "Switch { whichChild 0 DEF A Cube { } } USE A", "IndexedFaceSet { }",
+        "HapticSurface { fields [ SFFloat stiffness, SFString label ] stiffness 3 label \"x\" }",
+        "Translation { translation 0 0 0 = ComposeVec3f { x 1 } . vector } Cube { }", "SoCube { }", "Anchor { }",
+        "VRMLAnchor { url \"http://example.org\" }", "PointSet { }", ""}) {
+    const SceneFile scene = readSceneText(kHeader + body, "test.iv");
+    if (body == "Anchor { }") continue;
+    EXPECT_TRUE(scene.root) << body << "\n" << textOf(scene.diagnostics);
+    EXPECT_THAT(textOf(scene.diagnostics), IsEmpty()) << body;
+  }
+}
+
+TEST(SceneFile, IsNotDeceivedByAStringThatCoinReadsToAnotherEnd) {
+  // For Coin a quote after a backslash never ends a string, not even after two backslashes.
+  const SceneFile scene = read("Info { string \"a\\\\\" } File { name \\\"/dev/zero\\\" } #\" }");
+  ASSERT_TRUE(scene.root);
+  EXPECT_THAT(errorsOf(kHeader + "Info { string a\"\n} File { name \"/dev/zero\" } #\" \n}"), HasSubstr("put a space"));
+  EXPECT_THAT(errorsOf(kHeader + "Info { string a#b } File { name \"/dev/zero\" }\n}"), HasSubstr("put a space"));
+}
+
+TEST(SceneFile, SurvivesEveryBeginningOfAScene) {
+  const std::string text = contentsOf(testing::sourceDir() / "scenes/zones.iv");
+  ASSERT_FALSE(text.empty());
+  for (std::size_t size = 0; size < text.size(); size += 7) {
+    const SceneFile scene = readSceneText(text.substr(0, size), "test.iv");
+    EXPECT_EQ(!scene.root, hasErrors(scene.diagnostics));
+  }
+}
+
+TEST(SceneWriter, KeepsNamesSharingAndValues) {
+  const std::string text = writeSceneText(
+      read("DEF s HapticSurface { stiffness 512.5 label \"a \\\"b\\\"\" } DEF c Cube { } Separator { USE c }")
+          .root.get());
+  EXPECT_THAT(text, HasSubstr("DEF s HapticSurface"));
+  EXPECT_THAT(text, HasSubstr("stiffness 512.5"));
+  EXPECT_THAT(text, HasSubstr("USE c"));
+  const SceneFile again = readSceneText(text, "again.iv");
+  ASSERT_TRUE(again.root) << textOf(again.diagnostics);
+  EXPECT_EQ(writeSceneText(again.root.get()), text);
+}
+
+TEST(SceneWriter, RefusesNumbersThatCannotBeReadBack) {
+  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    const SceneFile scene = read("DEF here Translation { }");
+    static_cast<SoTranslation*>(scene.root->getChild(0))->translation.setValue(0, bad, 0);
+    EXPECT_THAT(messageOf([&] { writeSceneText(scene.root.get()); }), HasSubstr("Translation \"here\": translation"));
+  }
+}
+
+TEST(SceneWriter, RefusesTheHandlesOfAnEditor) {
+  const SceneFile scene = read("Cube { }");
+  scene.root->addChild(new SoHandleBoxManip);
+  EXPECT_THAT(messageOf([&] { writeSceneText(scene.root.get()); }), HasSubstr("HandleBoxManip"));
+}
+
+TEST(SceneSaver, ReplacesAFileAndKeepsItsPermissionsAndLinks) {
+  const ScratchFolder folder;
+  const fs::path file = folder.path() / "scene.iv";
+  put(file, "before");
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+  fs::create_symlink("scene.iv", folder.path() / "link.iv");
+  saveScene(read("Cube { }").root.get(), folder.path() / "link.iv");
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "link.iv"));
+  EXPECT_THAT(contentsOf(file), HasSubstr("Cube"));
+  EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 2);  // nothing is left beside them
+}
+
+TEST(SceneSaver, LeavesTheFileAsItWasWhenItCannotBeWritten) {
+  const ScratchFolder folder;
+  const fs::path file = folder.path() / "scene.iv";
+  put(file, "before");
+  const SceneFile scene = read("DEF here Translation { }");
+  static_cast<SoTranslation*>(scene.root->getChild(0))->translation.setValue(std::nanf(""), 0, 0);
+  EXPECT_THAT(messageOf([&] { saveScene(scene.root.get(), file); }), HasSubstr("not finite"));
+  EXPECT_EQ(contentsOf(file), "before");
+  const SceneFile good = read("Cube { }");
+  EXPECT_THAT(messageOf([&] { saveScene(good.root.get(), folder.path() / "none/scene.iv"); }),
+              HasSubstr("No such file"));
+  EXPECT_THAT(messageOf([&] { saveScene(good.root.get(), folder.path()); }), HasSubstr("not a regular file"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+}
+
+}  // namespace
+}  // namespace haptiv

@@ -1,0 +1,51 @@
+#include "tests/scenegraph/SceneTesting.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <algorithm>
+
+namespace haptiv::testing {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> scenesIn(const fs::path& folder) {
+  std::vector<fs::path> scenes;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".iv") scenes.push_back(entry.path());
+  }
+  std::ranges::sort(scenes);
+  return scenes;
+}
+
+std::string textOf(const Diagnostics& diagnostics) {
+  std::string text;
+  for (const Diagnostic& diagnostic : diagnostics) text += toText(diagnostic) + "\n";
+  return text;
+}
+
+SceneFile read(const std::string& body) {
+  SceneFile scene = readSceneText("#Inventor V2.1 ascii\n" + body, "test.iv");
+  EXPECT_TRUE(scene.root) << textOf(scene.diagnostics);
+  return scene;
+}
+
+CompiledScene compile(const std::string& body) {
+  const SceneFile scene = read("HapticTool { home 1000 0 0 } " + body);  // far from every wall
+  if (!scene.root) return {};
+  return SceneCompiler().compile(scene.root.get(), scene.lineOf, scene.path);
+}
+
+ScratchFolder::ScratchFolder() {
+  std::string name = (fs::temp_directory_path() / "haptiv-XXXXXX").string();
+  if (!mkdtemp(name.data())) throw std::runtime_error("no scratch folder can be made");
+  path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::permissions(path_, fs::perms::owner_all, ignored);
+  fs::remove_all(path_, ignored);
+}
+
+}  // namespace haptiv::testing
