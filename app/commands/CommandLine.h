@@ -2,10 +2,8 @@
 
 namespace haptiv {
 
-/// The program's exit codes; scripts rely on them.
-enum ExitCode { kGood = 0, kNotSo = 1, kWrongUsage = 2, kCouldNot = 3 };
-
 /// Runs `haptiv` with these arguments; the window where no command is given. Never throws.
-int runCommandLine(int argc, char** argv);
+/// Returns an ExitCode. What went wrong is told on stderr; with --json, stdout gets one object and nothing else.
+int runCommandLine(int argc, char** argv) noexcept;
 
 }  // namespace haptiv

@@ -1,0 +1,39 @@
+#include "app/commands/InfoCommand.h"
+
+#include "app/commands/ExitCode.h"
+#include "app/commands/LoadedScene.h"
+#include "app/commands/Report.h"
+#include "app/commands/SessionReport.h"
+#include "app/session/SessionLog.h"
+#include "device/DeviceDescription.h"
+
+namespace haptiv {
+
+int describeLog(const InfoOptions& options) {
+  requireReadable(options.log);
+  const SessionLog log(options.log);
+  const SessionHeader& header = log.header();
+  TickRecord last;
+  if (log.tickCount() > 0) last = log.ticks(log.tickCount() - 1, 1).back();
+
+  Report report;
+  report.add("complete", log.complete());
+  report.add("ticks", log.tickCount());
+  report.add("duration_s", log.tickCount() > 0 ? sessionSeconds(last, header.rate) : 0.0);
+  report.add("rate_Hz", header.rate);
+  report.add("scene", header.sceneName);
+  report.add("scene_versions", std::uint64_t{log.scenes().size()});
+  report.add("device", parseDeviceDescription(header.deviceText, options.log + " (its device description)").name);
+  report.add("software_version", header.softwareVersion);
+  report.add("git_hash", header.gitHash);
+  report.add("start", header.startUtc.empty() ? Report::Value(nullptr) : header.startUtc);
+  report.add("scheduling", header.scheduling);
+  report.add("seed", header.seed);
+  report.add("missed_ticks", std::uint64_t{last.missedTicks});
+  report.add("dropped", log.dropped());
+  report.add("faults", faultNames(last.faults));
+  report.print(options.json);
+  return kGood;
+}
+
+}  // namespace haptiv

@@ -1,0 +1,84 @@
+#include "app/commands/KinematicsCommand.h"
+
+#include <Eigen/SVD>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include "app/commands/ExitCode.h"
+#include "app/commands/Report.h"
+#include "device/DeviceDescription.h"
+#include "device/Vishard10.h"
+
+namespace haptiv {
+namespace {
+
+JointVector parseAngles(const std::string& text) {
+  const auto refuse = [&text](const std::string& why) {
+    throw CommandFailure(kWrongUsage,
+                         "--q " + text + ": " + why + "; give ten joint angles in rad with commas between, no blanks");
+  };
+  JointVector q;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (int joint = 0; joint < kJointCount; ++joint) {
+    const std::string which = "angle " + std::to_string(joint + 1);
+    if (joint > 0 && (at == end || *at++ != ',')) refuse("there are only " + std::to_string(joint) + " angles");
+    const auto [rest, error] = std::from_chars(at, end, q[joint]);
+    if (error != std::errc() || !std::isfinite(q[joint])) refuse(which + " is no number");
+    if (rest != end && *rest != ',') refuse(which + " is no number");
+    at = rest;
+  }
+  if (at != end) refuse("there are more than ten angles");
+  return q;
+}
+
+template <typename Derived>
+Report::Rows rowsOf(const Eigen::MatrixBase<Derived>& matrix) {
+  Report::Rows rows;
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+    Report::Numbers& entries = rows.emplace_back();
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column) entries.push_back(matrix(row, column));
+  }
+  return rows;
+}
+
+/// Falling.
+template <int Rows>
+Report::Numbers singularValues(const Eigen::Matrix<double, Rows, kJointCount>& J) {
+  const auto sigma = Eigen::JacobiSVD<Eigen::Matrix<double, Rows, kJointCount>>(J).singularValues();
+  return {sigma.data(), sigma.data() + sigma.size()};
+}
+
+/// m = V / kappa of a 3x10 block, with V = pi^(3/2) / Gamma(1 + 3/2) s1 s2 s3 = 4/3 pi s1 s2 s3 and kappa = s1 / s3,
+/// all rate weights one                                                       [paper, eqs. (10)-(12), (14)]
+/// Written without a division, so that it is zero and no NaN where all three vanish.
+double dexterity(const Report::Numbers& sigma) {
+  return 4.0 / 3.0 * std::numbers::pi * sigma[1] * sigma[2] * sigma[2];
+}
+
+}  // namespace
+
+int describePose(const KinematicsOptions& options) {
+  const JointVector q = parseAngles(options.q);
+  const Vishard10 arm(loadDeviceDescription("vishard10").links);
+  const Pose pose = arm.forward(q);
+  const Jacobian J = arm.jacobian(q);
+  const Report::Numbers translational = singularValues<3>(J.topRows<3>());
+  const Report::Numbers rotational = singularValues<3>(J.bottomRows<3>());
+
+  Report report;
+  report.add("position_m", numbers(pose.position));
+  report.add("rotation", rowsOf(pose.rotation));
+  report.add("jacobian", rowsOf(J));
+  report.add("singular_values", singularValues<6>(J));
+  report.add("singular_values_trans", translational);
+  report.add("singular_values_rot", rotational);
+  report.add("sigma_min_rot", rotational.back());
+  report.add("index_trans", dexterity(translational));
+  report.add("index_rot", dexterity(rotational));
+  report.print(options.json);
+  return kGood;
+}
+
+}  // namespace haptiv

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "app/session/Session.h"
+
+namespace haptiv {
+
+/// What a session in real time came to.
+struct LiveRun {
+  SessionSummary summary;
+  std::string scheduling;  ///< how the servo thread ran, and what to do for better
+  std::string logTrouble;  ///< empty: none
+};
+
+/// Runs a session in real time for `seconds`, or until Ctrl-C, SIGTERM, a fault of the arm or trouble with the log;
+/// the log is closed in every case. Throws what Session throws.
+/// Thread: main, before any other is started, for the signals are to come here.
+LiveRun runLive(const SessionSetup& setup, double seconds);
+
+}  // namespace haptiv

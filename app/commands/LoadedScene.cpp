@@ -1,0 +1,80 @@
+#include "app/commands/LoadedScene.h"
+
+#include <cerrno>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "app/commands/ExitCode.h"
+#include "device/Vishard10.h"
+#include "scenegraph/nodes/SoHapticDevice.h"
+#include "scenegraph/nodes/SoHapticTool.h"
+
+namespace haptiv {
+namespace {
+
+constexpr double kReachTolerance = 1e-6;  // of the closed-form inverse kinematics, in device metres
+
+// Where the scene's node of this type stands; 0: nowhere, the default is in force.
+template <typename Node>
+int lineOf(const SceneFile& file) {
+  for (const auto& [node, line] : file.lineOf) {
+    if (node->isOfType(Node::getClassTypeId())) return line;
+  }
+  return 0;
+}
+
+bool inReach(const HapticScene& scene, const DeviceDescription& device) {
+  const DevicePlacement& placed = scene.device;
+  const Vector3 p_BT = placed.rotation.transpose() * (scene.tool.home - placed.position) / placed.scale;
+  const Vishard10 arm(device.links);
+  return (arm.forward(arm.inverse(p_BT, device.homeAngles)).position - p_BT).norm() < kReachTolerance;
+}
+
+void judgeDevice(LoadedScene& loaded) {
+  const auto complain = [&loaded](int line, const char* node, const std::string& message) {
+    loaded.diagnostics.push_back({Diagnostic::Severity::error, loaded.file.path, line, node, message, nullptr});
+  };
+  const HapticScene& scene = *loaded.compiled.scene;
+  try {
+    loaded.device = loadDeviceDescription(scene.device.description);
+  } catch (const std::exception& error) {
+    complain(lineOf<SoHapticDevice>(loaded.file), "HapticDevice", error.what());
+    return;
+  }
+  if (!inReach(scene, loaded.device))
+    complain(lineOf<SoHapticTool>(loaded.file), "HapticTool",
+             "home is out of the arm's reach; move it, or the HapticDevice, or raise the device's scale");
+}
+
+}  // namespace
+
+LoadedScene loadScene(const std::string& path) {
+  requireReadable(path);
+  LoadedScene loaded;
+  loaded.file = readScene(path);
+  loaded.diagnostics = loaded.file.diagnostics;
+  if (!loaded.file.root) return loaded;
+  SceneCompiler compiler;
+  loaded.compiled = compiler.compile(loaded.file.root.get(), loaded.file.lineOf, loaded.file.path);
+  const Diagnostics& found = loaded.compiled.diagnostics;
+  loaded.diagnostics.insert(loaded.diagnostics.end(), found.begin(), found.end());
+  if (loaded.compiled.scene) judgeDevice(loaded);
+  return loaded;
+}
+
+void tell(const Diagnostics& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics) std::cerr << toText(diagnostic) << "\n";
+}
+
+void requireReadable(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw CommandFailure(kCouldNot, path + ": this is a folder; name a file in it");
+  if (!std::ifstream(path))
+    throw CommandFailure(kCouldNot, path + ": cannot be read: " + std::strerror(errno) + "; check the path");
+}
+
+}  // namespace haptiv

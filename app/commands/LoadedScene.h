@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "device/DeviceDescription.h"
+#include "haptics/HapticScene.h"
+#include "scenegraph/SceneCompiler.h"
+#include "scenegraph/SceneFile.h"
+
+namespace haptiv {
+
+/// A scene as a session needs it: read, compiled, and its device found.
+struct LoadedScene {
+  SceneFile file;
+  CompiledScene compiled;
+  DeviceDescription device;
+  Diagnostics diagnostics;  ///< of all steps
+};
+
+/// Reads and judges a scene; what is wrong with it stands in the diagnostics. Needs initSceneGraph.
+/// Throws CommandFailure (kCouldNot) where the file cannot be read at all.
+LoadedScene loadScene(const std::string& path);
+
+/// Errors and warnings as lines on stderr.
+void tell(const Diagnostics& diagnostics);
+
+/// Throws CommandFailure (kCouldNot) that says what hinders, unless `path` is a file that can be read.
+void requireReadable(const std::string& path);
+
+}  // namespace haptiv

@@ -1,0 +1,35 @@
+#include "app/commands/SessionReport.h"
+
+namespace haptiv {
+
+Report::Names faultNames(std::uint32_t faults) {
+  Report::Names names;
+  for (std::uint32_t bit = 1; bit != 0; bit <<= 1) {
+    if ((faults & bit) != 0) names.emplace_back(faultName(static_cast<Fault>(bit)));
+  }
+  return names;
+}
+
+double sessionSeconds(const TickRecord& last, double rate) {
+  return static_cast<double>(last.tick + 1) / rate;
+}
+
+Report reportOf(const SessionSummary& summary, double rate) {
+  const TickRecord& last = summary.last;
+  Report report;
+  report.add("seconds", summary.ticks > 0 ? sessionSeconds(last, rate) : 0.0);
+  report.add("rate_Hz", rate);
+  report.add("ticks", summary.ticks);
+  report.add("missed_ticks", summary.missedTicks);
+  report.add("dropped_records", summary.droppedRecords);
+  report.add("max_force_N", summary.maxForce);
+  report.add("max_penetration_m", summary.maxPenetration);
+  report.add("contacts", summary.contacts);
+  report.add("final_position_m", numbers(last.position));
+  report.add("final_contact_force_N", last.environmentForce.norm());
+  report.add("final_penetration_m", last.penetration);
+  report.add("faults", faultNames(last.faults));
+  return report;
+}
+
+}  // namespace haptiv

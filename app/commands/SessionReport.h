@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+#include "app/commands/Report.h"
+#include "app/session/Session.h"
+#include "haptics/TickRecord.h"
+
+namespace haptiv {
+
+/// Names of the faults that stand.
+Report::Names faultNames(std::uint32_t faults);
+
+/// Session time after this tick [s].
+double sessionSeconds(const TickRecord& last, double rate);
+
+/// What a session came to, as `haptiv run` tells it.
+Report reportOf(const SessionSummary& summary, double rate);
+
+}  // namespace haptiv
