@@ -1,0 +1,167 @@
+#include "app/editor/Edits.h"
+
+#include <Inventor/fields/SoSFFloat.h>
+#include <Inventor/nodes/SoCube.h>
+#include <gmock/gmock.h>
+
+#include "haptics/ShapeDistance.h"
+#include "tests/app/editor/EditedScene.h"
+
+namespace haptiv {
+namespace {
+
+using testing::ElementsAre;
+
+NewValue number(float value) {
+  return [value](const SoField& field) { return FieldValue::of<SoSFFloat>(field, value); };
+}
+
+std::vector<double> stiffnesses(const EditedScene& scene) {
+  std::vector<double> values;
+  for (const Wall& wall : scene.document.compiled().scene->walls) values.push_back(wall.surface.stiffness);
+  return values;
+}
+
+TEST(MoveShape, WrapsAShapeWithoutATransformInOneStep) {
+  EditedScene scene(kSharedProperty);
+  const std::string original = scene.document.text();
+  ASSERT_TRUE(scene.select("maze (2)"));
+  moveShape(
+      scene.document,
+      [](ShapeFrame& frame) {
+        frame.setCentre({-0.1, 0.05, 0});
+      },
+      "move");
+  letEventsRun();
+  EXPECT_EQ(scene.document.undoStack().count(), 1);
+  const auto& walls = scene.document.compiled().scene->walls;
+  ASSERT_EQ(walls.size(), 3u);
+  EXPECT_TRUE(walls[1].shape.centre.isApprox(Vector3(-0.1, 0.05, 0), 1e-6)) << "single precision";
+  EXPECT_TRUE(walls[2].shape.centre.isApprox(Vector3(-0.1, 0.2, 0), 1e-6)) << "the neighbour stays";
+  ASSERT_TRUE(scene.document.selection());
+  EXPECT_TRUE(scene.document.selection()->getTail()->isOfType(SoCube::getClassTypeId()));
+
+  moveShape(
+      scene.document,
+      [](ShapeFrame& frame) {
+        frame.setCentre({-0.1, 0.06, 0});
+      },
+      "move");
+  EXPECT_EQ(scene.document.undoStack().count(), 2);
+  scene.document.undoStack().undo();
+  scene.document.undoStack().undo();
+  EXPECT_EQ(scene.document.text(), original);
+}
+
+TEST(EditProperty, GivesTheShapeValuesOfItsOwnWhileTheOthersKeepTheirs) {
+  EditedScene scene(kSharedProperty);
+  const std::string original = scene.document.text();
+  ASSERT_TRUE(scene.select("maze (2)"));
+  editProperty(scene.document, "stiffness", number(900), Reach::onlyThis);
+  letEventsRun();
+  EXPECT_THAT(stiffnesses(scene), ElementsAre(1200, 900, 1200));
+  ASSERT_TRUE(scene.select("maze (1)"));
+  editProperty(scene.document, "stiffness", number(800), Reach::onlyThis);
+  letEventsRun();
+  EXPECT_THAT(stiffnesses(scene), ElementsAre(800, 900, 1200));
+  scene.document.undoStack().undo();
+  scene.document.undoStack().undo();
+  EXPECT_EQ(scene.document.text(), original);
+}
+
+TEST(EditProperty, ChangesAllThatShareWhenAskedTo) {
+  EditedScene scene(kSharedProperty);
+  ASSERT_TRUE(scene.select("maze (3)"));
+  const std::vector<SceneItem> items = scene.items();
+  EXPECT_EQ(sharingOf(items, *findItem(items, scene.document.selection()), scene.document.root()).shapes, 3);
+  editProperty(scene.document, "stiffness", number(700), Reach::allThatShare);
+  letEventsRun();
+  EXPECT_THAT(stiffnesses(scene), ElementsAre(700, 700, 700));
+}
+
+TEST(RemoveShape, LeavesTheOtherUsesOfTheShape) {
+  EditedScene scene(R"(#Inventor V2.1 ascii
+Separator {
+  HapticTool { }
+  DEF Post Separator { HapticSurface { } Transform { translation 0.1 0 0 } Cube { width 0.02 height 0.02 depth 0.04 } }
+  Separator { Translation { translation 0 0.1 0 } USE Post }
+  Separator { Translation { translation 0 0.2 0 } USE Post }
+})");
+  const std::string original = scene.document.text();
+  ASSERT_TRUE(scene.select("Post (2)"));
+  removeShape(scene.document);
+  letEventsRun();
+  const auto& walls = scene.document.compiled().scene->walls;
+  ASSERT_EQ(walls.size(), 2u);
+  EXPECT_TRUE(walls[0].shape.centre.isApprox(Vector3(0.1, 0, 0), 1e-6));
+  EXPECT_TRUE(walls[1].shape.centre.isApprox(Vector3(0.1, 0.2, 0), 1e-6));
+  scene.document.undoStack().undo();
+  letEventsRun();
+  EXPECT_EQ(scene.document.text(), original);
+  EXPECT_EQ(scene.document.compiled().scene->walls.size(), 3u);
+}
+
+TEST(RemoveShape, TakesABareShapeOutFromAmongOthers) {
+  EditedScene scene(kSharedProperty);
+  ASSERT_TRUE(scene.select("maze (2)"));
+  removeShape(scene.document);
+  letEventsRun();
+  EXPECT_EQ(scene.document.compiled().scene->walls.size(), 2u);
+  EXPECT_EQ(scene.document.selection(), nullptr);
+}
+
+TEST(RemoveShape, LeavesToolAndDevice) {
+  EditedScene scene(kTwoWalls);
+  ASSERT_TRUE(scene.select("ball"));
+  removeShape(scene.document);
+  EXPECT_EQ(scene.document.undoStack().count(), 0);
+}
+
+TEST(AddShape, PutsWallsOnTheGridClearOfTheBallAndOfEachOther) {
+  EditedScene scene(kTwoWalls);
+  for (int i = 0; i < 12; ++i) {
+    addShape(scene.document, SceneItem::Kind::wall);
+    letEventsRun();
+  }
+  const HapticScene& compiled = *scene.document.compiled().scene;
+  ASSERT_EQ(compiled.walls.size(), 14u);
+  for (std::size_t i = 2; i < compiled.walls.size(); ++i) {
+    const Shape& shape = compiled.walls[i].shape;
+    EXPECT_GT(nearestSurface(shape, compiled.tool.home).distance, compiled.tool.radius);
+    const Vector3 low = shape.centre - shape.axes.diagonal();
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(low[axis] * 100, std::round(low[axis] * 100), 1e-4) << "single precision, in centimetres";
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      const Shape& other = compiled.walls[j].shape;
+      const Vector3 gap = (shape.centre - other.centre).cwiseAbs() - shape.axes.diagonal() - other.axes.diagonal();
+      EXPECT_GT(gap.maxCoeff(), -1e-6) << i << " meets " << j;
+    }
+  }
+}
+
+TEST(AddShape, GivesEachItsOwnLabelAndSelectsIt) {
+  EditedScene scene(kTwoWalls);
+  addShape(scene.document, SceneItem::Kind::wall);
+  addShape(scene.document, SceneItem::Kind::wall);
+  addShape(scene.document, SceneItem::Kind::springZone);
+  EXPECT_THAT(scene.names(), ElementsAre("vishard10", "ball", "left", "right", "wall 1", "wall 2", "spring zone 1"));
+  const std::vector<SceneItem> items = scene.items();
+  const SceneItem* selected = findItem(items, scene.document.selection());
+  ASSERT_TRUE(selected);
+  EXPECT_EQ(selected->label, "spring zone 1");
+  EXPECT_EQ(scene.document.undoStack().count(), 3) << "one step each";
+}
+
+TEST(AddShape, StandsWhereItShouldUnderATransformOfTheRoot) {
+  EditedScene scene(R"(#Inventor V2.1 ascii
+Separator { HapticTool { } Translation { translation 3 2 1 } })");
+  addShape(scene.document, SceneItem::Kind::wall);
+  letEventsRun();
+  ASSERT_EQ(scene.document.compiled().scene->walls.size(), 1u);
+  EXPECT_LT(scene.document.compiled().scene->walls[0].shape.centre.norm(), 0.1);
+  EXPECT_EQ(scene.document.undoStack().count(), 1);
+}
+
+}  // namespace
+}  // namespace haptiv

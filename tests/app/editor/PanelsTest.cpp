@@ -1,0 +1,200 @@
+#include <gmock/gmock.h>
+
+#include <QCheckBox>
+#include <QGroupBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+
+#include "app/editor/Edits.h"
+#include "app/editor/panels/DiagnosticsList.h"
+#include "app/editor/panels/PropertyPanel.h"
+#include "app/editor/panels/SceneTree.h"
+#include "tests/app/editor/EditedScene.h"
+
+namespace haptiv {
+namespace {
+
+template <typename Widget = NumberField>
+Widget& field(QWidget& panel, const char* name) {
+  auto* widget = panel.findChild<Widget*>(name);
+  if (!widget) throw std::runtime_error(std::string("the panel has no ") + name);
+  return *widget;
+}
+
+QTreeWidgetItem* rowNamed(SceneTree& tree, const QString& name) {
+  const auto rows = tree.findItems(name, Qt::MatchExactly | Qt::MatchRecursive);
+  return rows.isEmpty() ? nullptr : rows.front();
+}
+
+double stiffness(const EditedScene& scene, std::size_t wall) {
+  return scene.document.compiled().scene->walls.at(wall).surface.stiffness;
+}
+
+TEST(PropertyPanel, SaysHowToSelectWhenNothingIs) {
+  EditedScene scene(kTwoWalls);
+  PropertyPanel panel(scene.document);
+  EXPECT_EQ(field<QLabel>(panel, "selectionName").text(), "Nothing selected");
+  EXPECT_THAT(field<QLabel>(panel, "selectionHint").text().toStdString(), testing::HasSubstr("Click"));
+}
+
+TEST(PropertyPanel, SetsTheStiffnessOfAWallThatUndoTakesBack) {
+  EditedScene scene(kTwoWalls);
+  PropertyPanel panel(scene.document);
+  ASSERT_TRUE(scene.select("left"));
+  auto& box = field(panel, "stiffnessField");
+  EXPECT_EQ(box.value(), 1500);
+  EXPECT_EQ(box.suffix(), " N/m");
+  box.setValue(2500);
+  letEventsRun();
+  EXPECT_EQ(stiffness(scene, 0), 2500);
+  EXPECT_EQ(stiffness(scene, 1), 2000);
+  scene.document.undoStack().undo();
+  letEventsRun();
+  EXPECT_EQ(box.value(), 1500);
+  EXPECT_EQ(stiffness(scene, 0), 1500);
+  scene.document.undoStack().redo();
+  letEventsRun();
+  EXPECT_EQ(box.value(), 2500);
+}
+
+TEST(PropertyPanel, MergesTheStepsOfARunningSpinBox) {
+  EditedScene scene(kTwoWalls);
+  PropertyPanel panel(scene.document);
+  ASSERT_TRUE(scene.select("left"));
+  auto& box = field(panel, "stiffnessField");
+  for (int i = 0; i < 5; ++i) {
+    box.stepUp();
+    letEventsRun();
+  }
+  EXPECT_EQ(stiffness(scene, 0), 2000);
+  EXPECT_EQ(scene.document.undoStack().count(), 1);
+  emit box.editingFinished();
+  box.stepUp();
+  EXPECT_EQ(scene.document.undoStack().count(), 2);
+}
+
+TEST(PropertyPanel, ShowsAndSetsPlaceSizeAndRotation) {
+  EditedScene scene(kTwoWalls);
+  PropertyPanel panel(scene.document);
+  ASSERT_TRUE(scene.select("right"));
+  EXPECT_NEAR(field(panel, "positionXField").value(), 10, 0.01);
+  EXPECT_NEAR(field(panel, "sizeYField").value(), 10, 0.01);
+  field(panel, "positionYField").setValue(5);
+  field(panel, "sizeXField").setValue(3);
+  field(panel, "rotationField").setValue(90);
+  letEventsRun();
+  const Shape& shape = scene.document.compiled().scene->walls[1].shape;
+  EXPECT_TRUE(shape.centre.isApprox(Vector3(0.1, 0.05, 0), 1e-5));
+  EXPECT_TRUE(shape.axes.col(0).isApprox(Vector3(0, 0.015, 0), 1e-4));
+  EXPECT_EQ(scene.document.undoStack().count(), 3);
+}
+
+TEST(PropertyPanel, ChangesOnlyTheSelectedWallUnlessToldOtherwise) {
+  EditedScene scene(kSharedProperty);
+  PropertyPanel panel(scene.document);
+  panel.show();
+  ASSERT_TRUE(scene.select("maze (1)"));
+  EXPECT_TRUE(field<QCheckBox>(panel, "onlyThisBox").isVisible());
+  EXPECT_THAT(field<QLabel>(panel, "selectionHint").text().toStdString(), testing::HasSubstr("3 shapes share"));
+  field(panel, "stiffnessField").setValue(500);
+  letEventsRun();
+  EXPECT_EQ(stiffness(scene, 0), 500);
+  EXPECT_EQ(stiffness(scene, 1), 1200);
+  EXPECT_FALSE(field<QCheckBox>(panel, "onlyThisBox").isVisible()) << "its values are its own now";
+
+  ASSERT_TRUE(scene.select("maze (2)"));
+  field<QCheckBox>(panel, "onlyThisBox").setChecked(false);
+  field(panel, "stiffnessField").setValue(700);
+  letEventsRun();
+  EXPECT_EQ(stiffness(scene, 1), 700);
+  EXPECT_EQ(stiffness(scene, 2), 700);
+}
+
+TEST(PropertyPanel, EditsToolAndDevice) {
+  EditedScene scene(kTwoWalls);
+  PropertyPanel panel(scene.document);
+  ASSERT_TRUE(scene.select("ball"));
+  field(panel, "massField").setValue(3.5);
+  field(panel, "homeXField").setValue(2);
+  ASSERT_TRUE(scene.select("vishard10"));
+  field(panel, "orientationField").setValue(90);
+  letEventsRun();
+  const HapticScene& compiled = *scene.document.compiled().scene;
+  EXPECT_EQ(compiled.tool.mass, 3.5);
+  EXPECT_NEAR(compiled.tool.home.x(), 0.02, 1e-6);
+  EXPECT_TRUE(compiled.device.rotation.col(0).isApprox(Vector3::UnitY(), 1e-5));
+  EXPECT_TRUE(compiled.device.position.isApprox(Vector3(-0.6, 0, 0), 1e-6));
+}
+
+TEST(PropertyPanel, RenamesAWallInTheTreeToo) {
+  EditedScene scene(kTwoWalls);
+  PropertyPanel panel(scene.document);
+  SceneTree tree(scene.document);
+  ASSERT_TRUE(scene.select("left"));
+  auto& line = field<QLineEdit>(panel, "labelField");
+  EXPECT_EQ(line.text(), "left");
+  line.setText("entrance");
+  emit line.editingFinished();
+  letEventsRun();
+  EXPECT_TRUE(rowNamed(tree, "entrance"));
+  EXPECT_FALSE(rowNamed(tree, "left"));
+  emit line.editingFinished();
+  EXPECT_EQ(scene.document.undoStack().count(), 1) << "nothing was changed the second time";
+}
+
+TEST(SceneTree, GroupsByKindWithCounts) {
+  EditedScene scene(kTwoWalls);
+  SceneTree tree(scene.document);
+  addShape(scene.document, SceneItem::Kind::dampingZone);
+  letEventsRun();
+  EXPECT_TRUE(rowNamed(tree, "Walls (2)"));
+  EXPECT_TRUE(rowNamed(tree, "Damping zones (1)"));
+  EXPECT_TRUE(rowNamed(tree, "Spring zones (0)"));
+  ASSERT_TRUE(tree.currentItem());
+  EXPECT_EQ(tree.currentItem()->text(0), "damping zone 1");
+}
+
+TEST(SceneTree, SelectsInTheDocumentAndFollowsIt) {
+  EditedScene scene(kTwoWalls);
+  SceneTree tree(scene.document);
+  PropertyPanel panel(scene.document);
+  tree.setCurrentItem(rowNamed(tree, "left"));
+  letEventsRun();
+  ASSERT_TRUE(scene.document.selection());
+  EXPECT_EQ(field<QLabel>(panel, "selectionName").text(), "left");
+  EXPECT_EQ(field(panel, "stiffnessField").value(), 1500);
+  ASSERT_TRUE(scene.select("right"));
+  EXPECT_EQ(tree.currentItem(), rowNamed(tree, "right"));
+  scene.document.select(nullptr);
+  letEventsRun();
+  EXPECT_EQ(tree.currentItem(), nullptr);
+}
+
+TEST(DiagnosticsList, SaysThatThereAreNoProblems) {
+  EditedScene scene(kTwoWalls);
+  DiagnosticsList list(scene.document);
+  ASSERT_EQ(list.count(), 1);
+  EXPECT_EQ(list.item(0)->text(), "No problems");
+}
+
+TEST(DiagnosticsList, SelectsTheShapeThatIsMeant) {
+  EditedScene scene(kTwoWalls);
+  DiagnosticsList list(scene.document);
+  ASSERT_TRUE(scene.select("left"));
+  editProperty(
+      scene.document, "stiffness", [](const SoField& f) { return FieldValue(f, "-1"); }, Reach::onlyThis);
+  scene.document.select(nullptr);
+  letEventsRun();
+  ASSERT_EQ(list.count(), 1);
+  EXPECT_THAT(list.item(0)->text().toStdString(), testing::HasSubstr("stiffness"));
+  emit list.itemClicked(list.item(0));
+  letEventsRun();
+  const std::vector<SceneItem> items = scene.items();
+  const SceneItem* item = findItem(items, scene.document.selection());
+  ASSERT_TRUE(item);
+  EXPECT_EQ(item->name, "left");
+}
+
+}  // namespace
+}  // namespace haptiv
