@@ -19,22 +19,23 @@ struct SessionSetup {
   std::string sceneName;
   std::string sceneText;
   DeviceDescription description;
-  double rate = 1000;                          ///< [Hz]
+  double rate = 1000;  ///< [Hz]
   std::uint64_t seed = 1;
-  std::vector<HandWaypoint> hand;              ///< in W; empty: the hand lets go (or is live)
-  bool liveHand = false;                       ///< the hand is moved by moveHand, as by the mouse
-  std::optional<std::filesystem::path> log;    ///< none: nothing is recorded
+  std::vector<HandWaypoint> hand;            ///< in W; empty: the hand lets go (or is live)
+  bool liveHand = false;                     ///< the hand is moved by moveHand, as by the mouse
+  std::optional<std::filesystem::path> log;  ///< none: nothing is recorded
 };
 
 /// What a session came to; kept tick by tick.
 struct SessionSummary {
-  std::uint64_t ticks = 0;
+  std::uint64_t ticks = 0;  ///< run, lost records included
   std::uint64_t missedTicks = 0;
   std::uint64_t droppedRecords = 0;
-  double maxForce = 0;          ///< of the environment on the ball [N]
-  double maxPenetration = 0;    ///< [m]
-  std::uint64_t contacts = 0;   ///< times the ball came to touch a wall
+  double maxForce = 0;         ///< of the environment on the ball [N]
+  double maxPenetration = 0;   ///< [m]
+  std::uint64_t contacts = 0;  ///< times the ball came to touch a wall
   TickRecord last;
+  /// The next tick of the session.
   void take(const TickRecord& record);
 };
 
@@ -42,13 +43,14 @@ struct SessionSummary {
 /// Construct, call and destroy on one thread (the GUI's, or main's).
 class Session {
  public:
-  /// Throws std::runtime_error where the log cannot be written or the device not started.
+  /// Throws std::runtime_error where the log cannot be written, the device not started, or the tool's home not reached.
   explicit Session(SessionSetup setup);
   ~Session();
 
-  /// Makes a new version of the scene felt, from the next tick on, and logs it. False: the scene could not be taken
-  /// (its device or its tool's home cannot change while a session runs; the rest is taken).
-  void publish(std::shared_ptr<const HapticScene> scene, std::string text);
+  /// Makes a new version of the scene felt, from the next tick on, and logs it. Returns the scene as it was taken:
+  /// where the device stands and the tool's home cannot change while a session runs, and a version that does not rise
+  /// is replaced by one that does.
+  std::shared_ptr<const HapticScene> publish(std::shared_ptr<const HapticScene> scene, std::string text);
   /// Where the live hand wants the ball, in W; nothing: it lets go.
   void moveHand(const std::optional<Vector3>& p_WH);
   /// The newest tick, for the display; true if there was a new one since the last call.
@@ -65,7 +67,7 @@ class Session {
 };
 
 /// The same without thread and clock: as fast as the machine allows, for `seconds` of session time; same setup, same
-/// bytes of data.
+/// bytes of data. Throws as Session does, and where the disk becomes full.
 SessionSummary runFast(const SessionSetup& setup, double seconds);
 
 }  // namespace haptiv

@@ -28,9 +28,9 @@ class SessionLog {
   SessionLog& operator=(SessionLog&&) noexcept;
 
   const SessionHeader& header() const;
-  bool complete() const;                 ///< false: cut off before its end
+  bool complete() const;  ///< false: cut off before its end
   std::uint64_t tickCount() const;
-  std::uint64_t dropped() const;         ///< ticks that never reached the log
+  std::uint64_t dropped() const;                   ///< ticks that never reached the log
   const std::vector<LoggedScene>& scenes() const;  ///< by version, ascending
 
   /// Ticks [first, first + count), fewer at the end. All fields of the record are there, the inputs and the results

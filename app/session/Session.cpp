@@ -1,0 +1,123 @@
+#include "app/session/Session.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <ctime>
+
+#include "app/session/LiveHand.h"
+#include "app/session/SessionRecorder.h"
+#include "app/session/SessionSeat.h"
+
+namespace haptiv {
+namespace {
+
+/// Now, such as "2006-01-02T15:04:05Z".
+std::string utcNow() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::array<char, 32> text{};
+  const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return {text.data(), length};
+}
+
+std::unique_ptr<HandSource> handFor(const SessionSetup& setup, const std::shared_ptr<LiveHand::Seam>& seam) {
+  if (setup.liveHand) return std::make_unique<LiveHand>(seam);
+  return scriptedHand(setup);
+}
+
+bool samePlacement(const DevicePlacement& a, const DevicePlacement& b) {
+  return a.description == b.description && a.position == b.position && a.rotation == b.rotation && a.scale == b.scale;
+}
+
+}  // namespace
+
+struct Session::Parts {
+  explicit Parts(const SessionSetup& setup)
+      : scene(setup.scene),
+        device(simulatedDevice(setup, handFor(setup, hand))),
+        loop(*device, setup.description, setup.rate, seams) {
+    seams.scene.write(scene);
+    scheduling = loop.start();
+    std::unique_ptr<SessionLogWriter> writer;
+    if (setup.log) {
+      SessionHeader header = headerOf(setup);
+      header.startUtc = utcNow();
+      header.scheduling = scheduling.explanation;
+      writer = std::make_unique<SessionLogWriter>(*setup.log, header);
+      writer->addScene(*scene, setup.sceneText);
+    }
+    recorder = std::make_unique<SessionRecorder>(seams.log, std::move(writer));
+  }
+
+  std::shared_ptr<const HapticScene> scene;  // newest that was published
+  std::shared_ptr<LiveHand::Seam> hand = std::make_shared<LiveHand::Seam>();
+  std::unique_ptr<SimulatedDevice> device;
+  ServoSeams seams;
+  ServoLoop loop;
+  Scheduling scheduling;
+  std::unique_ptr<SessionRecorder> recorder;
+};
+
+Session::Session(SessionSetup setup) {
+  expectUsable(setup);
+  parts_ = std::make_unique<Parts>(setup);
+}
+
+Session::~Session() {
+  try {
+    stop();
+  } catch (const std::exception&) {  // whoever wants to know calls stop
+  }
+}
+
+std::shared_ptr<const HapticScene> Session::publish(std::shared_ptr<const HapticScene> scene, std::string text) {
+  const HapticScene& felt = *parts_->scene;
+  const bool sameSeat = samePlacement(scene->device, felt.device) && scene->tool.home == felt.tool.home;
+  if (!sameSeat || scene->version <= felt.version) {
+    HapticScene taken = *scene;
+    taken.version = std::max(scene->version, felt.version + 1);
+    taken.device = felt.device;
+    taken.tool.home = felt.tool.home;
+    scene = std::make_shared<const HapticScene>(std::move(taken));
+  }
+  parts_->recorder->addScene(scene, std::move(text));
+  parts_->scene = scene;
+  parts_->seams.scene.write(scene);
+  return scene;
+}
+
+void Session::moveHand(const std::optional<Vector3>& p_WH) {
+  HandTarget target;
+  if (p_WH) target = {true, placeInBase(parts_->scene->device, *p_WH)};
+  parts_->hand->write(target);
+}
+
+bool Session::newest(TickRecord& record) {
+  if (!parts_->seams.display.update()) return false;
+  record = parts_->seams.display.read();
+  return true;
+}
+
+const Scheduling& Session::scheduling() const {
+  return parts_->scheduling;
+}
+
+std::string Session::logTrouble() const {
+  return parts_->recorder->trouble();
+}
+
+SessionSummary Session::stop() {
+  std::exception_ptr deviceTrouble;
+  try {
+    parts_->loop.stop();
+  } catch (...) {  // the log is to be closed all the same
+    deviceTrouble = std::current_exception();
+  }
+  SessionSummary summary = parts_->recorder->stop();
+  if (deviceTrouble) std::rethrow_exception(deviceTrouble);
+  return summary;
+}
+
+}  // namespace haptiv

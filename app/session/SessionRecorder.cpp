@@ -1,0 +1,96 @@
+#include "app/session/SessionRecorder.h"
+
+#include <chrono>
+#include <exception>
+
+namespace haptiv {
+namespace {
+
+constexpr std::chrono::milliseconds kDrainInterval(50);
+
+}  // namespace
+
+SessionRecorder::SessionRecorder(RecordRing<TickRecord>& ring, std::unique_ptr<SessionLogWriter> writer)
+    : ring_(ring), writer_(std::move(writer)), thread_([this] { run(); }) {}
+
+SessionRecorder::~SessionRecorder() {
+  stop();
+}
+
+void SessionRecorder::addScene(std::shared_ptr<const HapticScene> scene, std::string text) {
+  const std::lock_guard guard(mutex_);
+  newScenes_.push_back({std::move(scene), std::move(text)});
+}
+
+std::string SessionRecorder::trouble() const {
+  const std::lock_guard guard(mutex_);
+  return trouble_;
+}
+
+SessionSummary SessionRecorder::stop() {
+  if (!thread_.joinable()) return summary_;
+  {
+    const std::lock_guard guard(mutex_);
+    stopping_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+  summary_.droppedRecords = ring_.dropped();
+  summary_.ticks += summary_.droppedRecords;
+  return summary_;
+}
+
+void SessionRecorder::run() {
+  for (bool last = false; !last;) {
+    {
+      std::unique_lock guard(mutex_);
+      last = wake_.wait_for(guard, kDrainInterval, [this] { return stopping_; });
+    }
+    drain();
+  }
+  endLog();
+}
+
+void SessionRecorder::drain() {
+  block_.clear();
+  ring_.drain([this](const TickRecord& record) {
+    summary_.take(record);
+    block_.push_back(record);
+  });
+  std::vector<NewScene> scenes;  // taken after the ticks, so that every tick's scene is among them
+  {
+    const std::lock_guard guard(mutex_);
+    scenes.swap(newScenes_);
+  }
+  withLog([&] {
+    for (const NewScene& scene : scenes) writer_->addScene(*scene.scene, scene.text);
+    writer_->append(block_);
+  });
+}
+
+void SessionRecorder::endLog() {
+  const std::uint64_t dropped = ring_.dropped();
+  withLog([&] { writer_->close(dropped); });
+  writer_.reset();
+  if (dropped > 0)
+    tell(std::to_string(dropped) +
+         " ticks never reached the log: the machine was too busy. Close other programs, or log to a faster disk");
+}
+
+void SessionRecorder::tell(const std::string& trouble) {
+  const std::lock_guard guard(mutex_);
+  trouble_ += (trouble_.empty() ? "" : "\n") + trouble;
+}
+
+template <typename Step>
+void SessionRecorder::withLog(Step&& step) {
+  if (!writer_) return;
+  try {
+    step();
+  } catch (const std::exception& error) {
+    tell(error.what());
+    writer_.reset();
+  }
+}
+
+}  // namespace haptiv

@@ -1,0 +1,101 @@
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <thread>
+
+#include "app/session/Resimulation.h"
+#include "tests/session/SessionFixtures.h"
+
+namespace haptiv {
+namespace {
+
+using ::testing::HasSubstr;
+using namespace haptiv::testing;
+
+constexpr auto kMoment = std::chrono::milliseconds(100);
+
+TEST(LiveSession, WithEditsResimulatesToTheSameBits) {
+  const TemporaryFolder folder;
+  SessionSetup setup = setupFor(wallScene());
+  setup.liveHand = true;
+  setup.log = folder / "s.h5";
+  SessionSummary summary;
+  {
+    Session session(setup);
+    session.moveHand(Vector3(0.1, 0.02, 0));
+    HapticScene edited = wallScene();
+    for (int edit = 1; edit <= 4; ++edit) {
+      std::this_thread::sleep_for(kMoment);
+      edited.version = static_cast<std::uint32_t>(2 * edit);
+      edited.walls[0].surface.stiffness = 1000 + 500 * edit;
+      edited.walls[0].shape.centre.y() = 0.05 * edit;
+      computeBounds(edited);
+      session.publish(std::make_shared<const HapticScene>(edited), "edit " + std::to_string(edit));
+    }
+    session.moveHand(std::nullopt);
+    std::this_thread::sleep_for(kMoment);
+    summary = session.stop();
+    EXPECT_EQ(session.logTrouble(), "");
+  }
+  const SessionLog log(folder / "s.h5");
+  EXPECT_TRUE(log.complete());
+  EXPECT_EQ(log.tickCount(), summary.ticks - summary.droppedRecords);
+  EXPECT_GT(log.tickCount(), 0u);
+  ASSERT_EQ(log.scenes().size(), 5u);
+  EXPECT_EQ(log.scenes()[4].text, "edit 4");
+  EXPECT_EQ(log.header().startUtc.size(), 20u);
+  EXPECT_FALSE(log.header().scheduling.empty());
+  EXPECT_TRUE(sameRecord(log.ticks(log.tickCount() - 1, 1).at(0), summary.last));
+  EXPECT_EQ(summary.last.sceneVersion, 8u);
+  const Verification result = verify(log);
+  EXPECT_TRUE(result.identical()) << result.first->field << " at tick " << result.first->tick << ": "
+                                  << result.first->logged << " and " << result.first->resimulated;
+  EXPECT_EQ(result.ticks, log.tickCount());
+}
+
+TEST(LiveSession, KeepsItsDeviceItsHomeAndRisingVersions) {
+  Session session(setupFor(wallScene()));
+  HapticScene moved = wallScene();
+  moved.device.position = Vector3(0, 0, 1);
+  moved.tool.home = Vector3(0.1, 0, 0);
+  moved.tool.mass = 3;
+  const auto taken = session.publish(std::make_shared<const HapticScene>(moved), "");
+  EXPECT_EQ(taken->version, 1u);
+  EXPECT_EQ(taken->device.position, Vector3(-0.35, 0, 0));
+  EXPECT_EQ(taken->tool.home, Vector3(0, 0, 0));
+  EXPECT_EQ(taken->tool.mass, 3);
+  HapticScene fine = wallScene();
+  fine.version = 5;
+  const auto scene = std::make_shared<const HapticScene>(fine);
+  EXPECT_EQ(session.publish(scene, ""), scene);
+}
+
+TEST(LiveSession, FollowsTheLiveHandAndStopsTwice) {
+  SessionSetup setup = setupFor(zoneScene(Zone::Kind::viscous));
+  setup.liveHand = true;
+  Session session(setup);
+  session.moveHand(Vector3(0, 0.1, 0));
+  TickRecord newest;
+  for (int i = 0; i < 100 && !(newest.position.y() > 0.02); ++i) {
+    std::this_thread::sleep_for(kMoment);
+    session.newest(newest);
+  }
+  EXPECT_GT(newest.position.y(), 0.02);
+  const SessionSummary first = session.stop(), second = session.stop();
+  EXPECT_GT(first.ticks, 0u);
+  EXPECT_EQ(first.ticks, second.ticks);
+  EXPECT_TRUE(sameRecord(first.last, second.last));
+}
+
+TEST(LiveSession, TellsThatItCannotLog) {
+  const TemporaryFolder folder;
+  SessionSetup setup = setupFor(wallScene());
+  setup.log = folder / "no/s.h5";
+  EXPECT_THAT(messageOf([&] { Session{setup}; }), HasSubstr("the folder does not exist"));
+  std::filesystem::create_directory(folder / "s.h5");
+  setup.log = folder / "s.h5";
+  EXPECT_THAT(messageOf([&] { Session{setup}; }), HasSubstr("cannot create the session log"));
+}
+
+}  // namespace
+}  // namespace haptiv

@@ -1,0 +1,55 @@
+#include "app/session/SessionRecorder.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/session/SessionFixtures.h"
+
+namespace haptiv {
+namespace {
+
+using ::testing::HasSubstr;
+using namespace haptiv::testing;
+
+TickRecord touching(std::uint64_t tick) {
+  TickRecord record;
+  record.tick = tick;
+  record.contacts = 1;
+  return record;
+}
+
+TEST(SessionRecorder, GoesOnSummingUpWhenTheDiskIsFull) {
+  const TemporaryFolder folder;
+  std::atomic<std::uint64_t> space = 1u << 30;
+  auto writer = std::make_unique<SessionLogWriter>(folder / "s.h5", someHeader(),
+                                                   [&space](const std::filesystem::path&) { return space.load(); });
+  writer->addScene(wallScene(), "");
+  RecordRing<TickRecord> ring;
+  SessionRecorder recorder(ring, std::move(writer));
+  space = 0;
+  for (std::uint64_t tick = 0; tick < 600; ++tick) ring.push(touching(tick));
+  while (recorder.trouble().empty()) std::this_thread::yield();
+  for (std::uint64_t tick = 600; tick < 900; ++tick) ring.push(touching(tick));
+  const SessionSummary summary = recorder.stop();
+  EXPECT_THAT(recorder.trouble(), HasSubstr("nearly full"));
+  EXPECT_EQ(summary.ticks, 900u);
+  EXPECT_EQ(summary.contacts, 1u);
+  EXPECT_FALSE(SessionLog(folder / "s.h5").complete());
+}
+
+TEST(SessionRecorder, CountsWhatTheRingCouldNotTake) {
+  const TemporaryFolder folder;
+  auto writer = std::make_unique<SessionLogWriter>(folder / "s.h5", someHeader());
+  writer->addScene(wallScene(), "");
+  RecordRing<TickRecord> ring;
+  for (std::uint64_t tick = 0; tick < 8192 + 10; ++tick) ring.push(touching(tick));
+  ASSERT_EQ(ring.dropped(), 10u);
+  SessionRecorder recorder(ring, std::move(writer));
+  const SessionSummary summary = recorder.stop();
+  EXPECT_EQ(summary.droppedRecords, 10u);
+  EXPECT_EQ(summary.ticks, 8192u + 10u);
+  EXPECT_THAT(recorder.trouble(), HasSubstr("10 ticks never reached the log"));
+  EXPECT_EQ(SessionLog(folder / "s.h5").dropped(), 10u);
+}
+
+}  // namespace
+}  // namespace haptiv
