@@ -26,6 +26,8 @@ class HapticOverlay {
   void show(const TickRecord& record);
   /// Where the arm is in the way of the view.
   void setArmVisible(bool visible);
+  /// 0: solid, 1: not seen.
+  void setArmTransparency(double transparency);
   /// Where the ball is drawn, p_WT [m], and its radius [m].
   Vector3 ballPosition() const;
   double ballRadius() const;

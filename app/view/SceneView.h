@@ -31,7 +31,8 @@ class SceneView : public QWidget {
   SoSeparator* decorations();
   void setLeftButton(LeftButton meaning);
 
-  /// Straight down, orthographic, as a plan; otherwise perspective from the side.
+  /// Straight down, orthographic, as a plan with x to the right and y up; otherwise perspective from the side. Both
+  /// look at the same place.
   void viewFromAbove();
   void viewFreely();
   bool isFromAbove() const;
@@ -44,10 +45,17 @@ class SceneView : public QWidget {
   QPointF toWidget(const Vector3& p_W) const;
 
  signals:
-  /// A click (not a drag) in select mode on a shape of the scene; null: on nothing. The path starts at the scene's root.
+  /// A click (not a drag) in select mode on a shape of the scene; null: on nothing. The path starts at the scene's
+  /// root.
   void shapeClicked(const SoPath* path);
   /// hand mode: where the hand wants the ball, in W; nothing: it lets go.
   void handMoved(const std::optional<haptiv::Vector3>& p_WH);
+  /// The plan came or went: also by orbiting out of it with the mouse.
+  void fromAboveChanged(bool fromAbove);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
   struct Parts;

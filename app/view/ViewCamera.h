@@ -1,0 +1,67 @@
+#pragma once
+
+#include <Inventor/SbBox3f.h>
+#include <Inventor/nodes/SoOrthographicCamera.h>
+#include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <Inventor/nodes/SoSwitch.h>
+
+#include <QPointF>
+#include <QSize>
+
+#include "device/types.h"
+#include "scenegraph/NodeRef.h"
+
+namespace haptiv {
+
+/// A straight line into the picture, in W.
+struct ViewRay {
+  Vector3 origin;     ///< [m]
+  Vector3 direction;  ///< unit length
+};
+
+/// Where one looks from: a place looked at, a heading about the vertical, an elevation and a distance. Two cameras show
+/// it: a perspective one, and an orthographic one straight from above with x to the right and y up. Both see the same
+/// place equally large. Pixels count from the upper left. Thread: GUI.
+class ViewCamera {
+ public:
+  ViewCamera();
+
+  /// The cameras; stands before what they show.
+  SoSwitch* root() const { return root_.get(); }
+  void setFromAbove(bool fromAbove);
+  bool isFromAbove() const { return fromAbove_; }
+
+  /// The look goes around the place looked at. Leaves the view from above.
+  void orbit(const QPointF& pixels, const QSize& picture);
+  /// What was under one pixel comes under the other.
+  void pan(const QPointF& from, const QPointF& to, const QSize& picture);
+  /// Nearer by this factor, with `p_W` staying where it is in the picture.
+  void zoom(double factor, const Vector3& p_W);
+  /// As near as the box is wholly seen.
+  void fit(const SbBox3f& box, double aspectRatio);
+
+  ViewRay ray(const QPointF& pixel, const QSize& picture) const;
+  /// Where a ray through the pixel meets the plane through the place looked at, facing the camera.
+  Vector3 onFocalPlane(const QPointF& pixel, const QSize& picture) const;
+  QPointF toPixel(const Vector3& p_W, const QSize& picture) const;
+  /// Size of a pixel at this place [m].
+  double metresPerPixel(const Vector3& p_W, const QSize& picture) const;
+  /// Unit length, into the picture.
+  Vector3 direction() const;
+
+ private:
+  SoCamera* active() const;
+  SbRotation orientation() const;
+  void update();
+
+  bool fromAbove_ = false;
+  Vector3 target_ = Vector3::Zero();
+  double heading_;
+  double elevation_;
+  double distance_ = 1;
+  NodeRef<SoSwitch> root_;
+  SoPerspectiveCamera* perspective_;
+  SoOrthographicCamera* orthographic_;
+};
+
+}  // namespace haptiv
