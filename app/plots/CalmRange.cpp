@@ -10,7 +10,7 @@ namespace {
 constexpr double kLargest = 1e12;     // beyond it labels make no sense, and spans could overflow
 constexpr double kEmptyShare = 0.35;  // narrows where the values fill less than this
 constexpr double kMargin = 0.06;      // of the span, on either side
-constexpr int kSteps = 4;
+constexpr int kSteps = 6;
 
 /// The next of 1, 2, 5, 10, ... times a power of ten.
 double roundStep(double least) {

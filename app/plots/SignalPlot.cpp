@@ -18,6 +18,7 @@ namespace haptiv {
 
 namespace {
 
+constexpr int kLabelWidth = 60;        // of a time with room about it [pixels]
 constexpr double kZoomPerNotch = 0.8;  // of the shown span
 
 QString header(const QString& title, const std::vector<QString>& names) {
@@ -174,6 +175,7 @@ void SignalPlot::showEvent(QShowEvent* event) {
 void SignalPlot::replot() {
   Parts& p = *parts_;
   p.fillCurves();
+  p.plot->setAxisMaxMajor(QwtPlot::xBottom, std::clamp(p.plot->canvas()->width() / kLabelWidth, 2, 10));
   p.plot->setAxisScale(QwtPlot::xBottom, p.window.from(), p.window.to());
   p.plot->setAxisScale(QwtPlot::yLeft, p.range.lower(), p.range.upper(), p.range.step());
   p.plot->replot();
