@@ -1,10 +1,13 @@
 #include "app/window/Application.h"
 
+#include <Inventor/Qt/SoQt.h>
+
 #include <QApplication>
 #include <QStyleFactory>
 
 #include "app/view/QtEnvironment.h"
 #include "app/window/MainWindow.h"
+#include "scenegraph/SceneFile.h"
 
 namespace haptiv {
 
@@ -13,6 +16,10 @@ int runApplication(int argc, char** argv, const QString& sceneOrLog) {
   QApplication application(argc, argv);
   QApplication::setApplicationName("Haptiv");
   QApplication::setStyle(QStyleFactory::create("Fusion"));
+  QWidget soQtHost;  // SoQt wants a widget that lives as long as it does
+  SoQt::init(&soQtHost);
+  initSceneGraph();
+
   MainWindow window;
   window.show();
   if (!sceneOrLog.isEmpty()) window.open(sceneOrLog);

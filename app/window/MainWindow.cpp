@@ -1,7 +1,5 @@
 #include "app/window/MainWindow.h"
 
-#include <Inventor/Qt/SoQt.h>
-
 #include <QCloseEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -14,15 +12,12 @@
 namespace haptiv {
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
-  SoQt::init(this);
-  initSceneGraph();
   parts_ = std::make_unique<Parts>(*this);
   setObjectName("mainWindow");
   resize(1280, 720);
   buildActions();
   buildDocks();
   connectParts();
-  parts_->document->createNew();
   enterEditing();
 }
 
@@ -74,6 +69,7 @@ void MainWindow::connectParts() {
       parts_->view->viewFreely();
     }
   });
+  connect(p.view, &SceneView::fromAboveChanged, p.fromAbove, &QAction::setChecked);
   connect(p.showAll, &QAction::triggered, p.view, &SceneView::viewAll);
   connect(p.showArm, &QAction::toggled, this, [this](bool visible) {
     parts_->view->overlay().setArmVisible(visible);

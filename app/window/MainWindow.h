@@ -8,7 +8,8 @@ namespace haptiv {
 /// The application's window: the view in the middle, the editor's panels beside it, plots or the replay below.
 ///
 /// It is in one of three modes, and only one: editing; a session runs (the scene can still be edited, and is felt at
-/// once); a log is replayed (the document waits unchanged). Thread: GUI.
+/// once); a log is replayed (the document waits unchanged).
+/// SoQt and the scene graph must have been initialised. Thread: GUI.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -23,6 +24,7 @@ class MainWindow : public QMainWindow {
 
  private:
   void buildActions();
+  void buildToolBar();
   void buildDocks();
   void connectParts();
   void enterEditing();

@@ -6,6 +6,7 @@
 #include <QToolBar>
 
 #include "app/window/MainWindowParts.h"
+#include "app/window/WindowIcons.h"
 
 namespace haptiv {
 
@@ -71,15 +72,36 @@ void MainWindow::buildActions() {
   QMenu* look = menuBar()->addMenu(tr("&View"));
   look->addActions({p.fromAbove, p.showAll, p.showArm});
 
+  buildToolBar();
+}
+
+void MainWindow::buildToolBar() {
+  Parts& p = *parts_;
+  p.hand->setIcon(windowIcon(WindowIcon::hand));
+  p.select->setIcon(windowIcon(WindowIcon::select));
+  p.fromAbove->setIcon(windowIcon(WindowIcon::fromAbove));
+  p.showAll->setIcon(windowIcon(WindowIcon::showAll));
+  p.showArm->setIcon(windowIcon(WindowIcon::arm));
+  p.editor->addWall()->setIconText(tr("Wall"));
+  p.editor->addDampingZone()->setIconText(tr("Damping zone"));
+  p.editor->addSpringZone()->setIconText(tr("Spring zone"));
+  // What users know by its picture goes without words, so that all fits into 1280 pixels.
+  for (QAction* known : {p.open, p.save, p.editor->undo(), p.editor->redo(), p.editor->remove(), p.editor->snapToGrid(),
+                         p.fromAbove, p.showAll, p.showArm}) {
+    known->setPriority(QAction::LowPriority);
+  }
+
   QToolBar* bar = addToolBar(tr("Tools"));
   bar->setObjectName("toolBar");
   bar->setMovable(false);
+  bar->setIconSize({22, 22});
   bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   bar->addActions({p.open, p.save});
   bar->addSeparator();
-  bar->addActions({p.start, p.stop, p.closeReplay, p.hand, p.select});
+  bar->addActions({p.start, p.stop, p.hand, p.select, p.closeReplay});
   bar->addSeparator();
   bar->addActions({p.editor->undo(), p.editor->redo()});
+  bar->addSeparator();
   bar->addActions({p.editor->addWall(), p.editor->addDampingZone(), p.editor->addSpringZone(), p.editor->remove(),
                    p.editor->snapToGrid()});
   bar->addSeparator();
@@ -88,7 +110,7 @@ void MainWindow::buildActions() {
 
 void MainWindow::buildDocks() {
   Parts& p = *parts_;
-  const auto dock = [this](const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
+  const auto add = [this](const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(name);
     dock->setWidget(content);
@@ -99,13 +121,13 @@ void MainWindow::buildDocks() {
   setCentralWidget(p.view);
   setStatusBar(p.status);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  dock("treeDock", tr("Scene"), p.editor->sceneTree(), Qt::LeftDockWidgetArea);
-  dock("propertiesDock", tr("Properties"), p.editor->propertyPanel(), Qt::RightDockWidgetArea);
-  p.plotsDock = dock("plotsDock", tr("Force and position"), p.plots, Qt::BottomDockWidgetArea);
-  p.problemsDock = dock("problemsDock", tr("Problems"), p.editor->diagnosticsList(), Qt::BottomDockWidgetArea);
+  add("treeDock", tr("Scene"), p.editor->sceneTree(), Qt::LeftDockWidgetArea);
+  add("propertiesDock", tr("Properties"), p.editor->propertyPanel(), Qt::RightDockWidgetArea);
+  p.plotsDock = add("plotsDock", tr("Force and position"), p.plots, Qt::BottomDockWidgetArea);
+  p.problemsDock = add("problemsDock", tr("Problems"), p.editor->diagnosticsList(), Qt::BottomDockWidgetArea);
   tabifyDockWidget(p.plotsDock, p.problemsDock);
   p.plotsDock->raise();
-  p.replayDock = dock("replayDock", tr("Replay"), p.replayBar, Qt::BottomDockWidgetArea);
+  p.replayDock = add("replayDock", tr("Replay"), p.replayBar, Qt::BottomDockWidgetArea);
   p.replayDock->hide();
   resizeDocks({p.plotsDock}, {190}, Qt::Vertical);
 

@@ -27,7 +27,7 @@ QString faultNames(std::uint32_t faults) {
 }  // namespace
 
 SessionStatus::SessionStatus(QWidget* parent) : QStatusBar(parent) {
-  state_ = label(this, "stateLabel", false);
+  state_ = label(this, "modeLabel", false);
   hint_ = label(this, "hintLabel", false);
   force_ = label(this, "forceLabel", true);
   rate_ = label(this, "rateLabel", true);

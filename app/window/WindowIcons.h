@@ -1,0 +1,12 @@
+#pragma once
+
+#include <QIcon>
+
+namespace haptiv {
+
+/// The window's own icons, drawn in plain strokes like the editor's.
+enum class WindowIcon { hand, select, fromAbove, showAll, arm };
+
+QIcon windowIcon(WindowIcon icon);
+
+}  // namespace haptiv
