@@ -3,53 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
-#include <limits>
 #include <vector>
 
-#include "haptics/FastLoop.h"
-#include "tests/haptics/ReadingOf.h"
+#include "tests/haptics/HapticTickFixture.h"
 
 namespace haptiv {
 namespace {
 
+using testing::HapticTickTest;
 using testing::IdealArm;
+using testing::kRate;
 using testing::readingOf;
-
-constexpr double kRate = 1000;
-
-class HapticTickTest : public ::testing::Test {
- protected:
-  HapticTickTest() {
-    const Vector3 home = Vishard10(description.links).forward(start).position;
-    Wall wall;
-    wall.id = 1;
-    wall.shape.centre = home + Vector3(0.115, 0, 0);  // its face is 5 mm from the ball
-    wall.shape.axes = Vector3(0.1, 0.2, 0.2).asDiagonal();
-    scene.version = 1;
-    scene.walls = {wall};
-    computeBounds(scene);
-  }
-
-  /// The force on the handle, in T, that is `force_B` at the start; the orientation is held.
-  Vector3 inTool(const Vector3& force_B) const {
-    return Vishard10(description.links).forward(start).rotation.transpose() * force_B;
-  }
-  std::vector<TickRecord> run(const HapticScene& of, const Vector3& force_B, int ticks) const {
-    IdealArm arm(description, start, inTool(force_B));
-    std::vector<TickRecord> records;
-    runFast(arm, description, kRate, of, static_cast<std::uint64_t>(ticks), [&](const TickRecord& record) {
-      records.push_back(record);
-      return true;
-    });
-    return records;
-  }
-
-  DeviceDescription description = loadDeviceDescription("vishard10");
-  JointVector start = description.homeAngles;
-  HapticScene scene;
-  HapticTick tick{description, 1 / kRate};
-};
 
 TEST_F(HapticTickTest, StartsAtRestWhereTheDeviceIs) {
   TickState state;
@@ -179,92 +143,6 @@ TEST_F(HapticTickTest, FeelsAnEditInFullAfterATenthOfASecond) {
   EXPECT_LT((fade.apply(edited, after, 1e-3) - (before + after) / 2).norm(), 1e-9);
   for (int i = 0; i < 51; ++i) fade.apply(edited, after, 1e-3);
   EXPECT_EQ(fade.apply(edited, after, 1e-3), after);
-}
-
-class HapticTickFault : public HapticTickTest {
- protected:
-  void expectLatched(TickState& state, std::uint32_t fault) {
-    const JointVector held = state.desiredAngles;
-    for (int i = 0; i < 10; ++i) {
-      const TickRecord record = tick(scene, readingOf(description, start), state);
-      EXPECT_EQ(record.faults, fault);
-      EXPECT_FALSE(record.command.enabled);
-      EXPECT_EQ(record.command.jointRates, JointVector(JointVector::Zero()));
-      EXPECT_EQ(record.desiredAngles, held);
-      EXPECT_EQ(record.environmentForce, Vector3::Zero());
-      EXPECT_TRUE(record.position.allFinite() && record.desiredPosition.allFinite());
-    }
-  }
-  TickState running() const {
-    TickState state;
-    for (int i = 0; i < 5; ++i) tick(scene, readingOf(description, start), state);
-    return state;
-  }
-};
-
-TEST_F(HapticTickFault, LatchesWhereAPropertyOfTheSceneIsNoNumber) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  std::vector<HapticScene> bad(4, scene);
-  bad[0].tool.mass = nan;
-  bad[1].walls[0].surface.stiffness = nan;
-  bad[1].walls[0].shape.centre.x() -= 0.01;
-  bad[2].device.position.x() = nan;
-  bad[3].tool.mass = 0;
-  for (HapticScene& now : bad) {
-    computeBounds(now);
-    TickState state = running();
-    const TickRecord record = tick(now, readingOf(description, start, inTool({1, 0, 0})), state);
-    EXPECT_EQ(record.faults, kFaultNotFinite);
-    EXPECT_FALSE(record.command.enabled);
-    expectLatched(state, kFaultNotFinite);
-  }
-}
-
-TEST_F(HapticTickFault, LatchesWhereTheDeviceIsGone) {
-  TickState state = running();
-  DeviceReading reading = readingOf(description, start);
-  reading.connected = false;
-  EXPECT_FALSE(tick(scene, reading, state).command.enabled);
-  expectLatched(state, kFaultDisconnected);
-}
-
-TEST_F(HapticTickFault, LatchesWhereTheSensorIsAtTheEndOfItsRange) {
-  for (const int sign : {-1, 1}) {
-    for (std::size_t axis = 0; axis < 6; ++axis) {
-      TickState state = running();
-      DeviceReading reading = readingOf(description, start);
-      const HandleSensor& sensor = description.sensor;
-      const double last = axis < 3 ? sensor.forceRange / sensor.forceResolution : 30000;
-      reading.sensorCounts[axis] = static_cast<std::int16_t>(sign * last);
-      tick(scene, reading, state);
-      expectLatched(state, kFaultSensorSaturated);
-    }
-  }
-}
-
-TEST_F(HapticTickFault, LatchesWhereAJointIsNotWhereItWasSent) {
-  for (int joint = 0; joint < kJointCount; ++joint) {
-    TickState state = running();
-    JointVector q = start;
-    q[joint] += 1.1 * description.control.trackingErrorLimit;
-    tick(scene, readingOf(description, q), state);
-    expectLatched(state, kFaultTracking);
-  }
-}
-
-TEST_F(HapticTickFault, TakesASmallTrackingErrorBackInsteadOfLatching) {
-  TickState state = running();
-  JointVector q = start;
-  q[2] += 0.5 * description.control.trackingErrorLimit;
-  const TickRecord record = tick(scene, readingOf(description, q), state);
-  EXPECT_EQ(record.faults, kNoFault);
-  EXPECT_LT(record.command.jointRates[2], 0);
-}
-
-TEST(FaultName, NamesEveryFaultThatStands) {
-  EXPECT_STREQ(faultName(kNoFault), "none");
-  EXPECT_STREQ(faultName(kFaultTracking), "tracking error");
-  EXPECT_STREQ(faultName(static_cast<Fault>(kFaultNotFinite | kFaultDisconnected)), "not finite, device disconnected");
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "haptics/HapticScene.h"
 
@@ -97,6 +99,16 @@ inline Wall wallBelow(double thickness, double stiffness = 2000, double damping 
   wall.surface.stiffness = stiffness;
   wall.surface.damping = damping;
   return wall;
+}
+
+/// A scene of these walls, which get the ids 1, 2, ...
+inline HapticScene sceneOf(std::vector<Wall> walls) {
+  HapticScene scene;
+  scene.version = 1;
+  scene.walls = std::move(walls);
+  for (std::size_t i = 0; i < scene.walls.size(); ++i) scene.walls[i].id = static_cast<ShapeId>(i + 1);
+  computeBounds(scene);
+  return scene;
 }
 
 /// The same scene turned and moved.
