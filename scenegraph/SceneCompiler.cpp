@@ -3,6 +3,8 @@
 #include <Inventor/SoPath.h>
 #include <Inventor/actions/SoGetPrimitiveCountAction.h>
 
+#include <algorithm>
+
 #include "haptics/ShapeDistance.h"
 #include "scenegraph/SceneCollector.h"
 #include "scenegraph/nodes/SoHapticTool.h"
@@ -56,7 +58,7 @@ CompiledScene SceneCompiler::compile(SoNode* root, const std::unordered_map<cons
   }
   SoGetPrimitiveCountAction count;
   count.apply(root);
-  compiled.triangles = static_cast<std::size_t>(count.getTriangleCount());
+  compiled.triangles = static_cast<std::size_t>(std::max(0, count.getTriangleCount()));
 
   ++version_;
   if (!hasErrors(compiled.diagnostics)) {

@@ -9,11 +9,11 @@
 #include <cstring>
 #include <fstream>
 #include <system_error>
-#include <unordered_set>
 
 #include "scenegraph/CoinMessages.h"
 #include "scenegraph/GraphWalk.h"
 #include "scenegraph/Keyword.h"
+#include "scenegraph/RefusedText.h"
 #include "scenegraph/SceneScan.h"
 #include "scenegraph/ShapeIndices.h"
 #include "scenegraph/nodes/HapticNodes.h"
@@ -151,29 +151,30 @@ void initSceneGraph() {
 SceneFile readScene(const fs::path& path) {
   SceneFile scene;
   scene.path = path.string();
-  try {
-    const std::string fault = fileFault(path);
-    if (!fault.empty()) {
-      fail(scene, fault);
-      return scene;
-    }
-    std::ifstream in(path, std::ios::binary);
-    std::string text;
-    if (in) text.assign(std::istreambuf_iterator<char>(in), {});
-    if (!in || in.bad()) {
-      fail(scene, std::string("cannot be read: ") + std::strerror(errno) + ": check its permissions");
-      return scene;
-    }
-    return readChecked(std::move(text), scene.path);
-  } catch (const std::exception& error) {  // out of memory, mostly
-    scene.root = {};
-    fail(scene, std::string("cannot be read: ") + error.what());
+  const std::string fault = fileFault(path);
+  if (!fault.empty()) {
+    fail(scene, fault);
     return scene;
   }
+  std::ifstream in(path, std::ios::binary);
+  std::string text;
+  if (in) text.assign(std::istreambuf_iterator<char>(in), {});
+  if (!in || in.bad()) {
+    fail(scene, std::string("cannot be read: ") + std::strerror(errno) + ": check its permissions");
+    return scene;
+  }
+  return readSceneText(text, scene.path);
 }
 
 SceneFile readSceneText(std::string_view text, const std::string& name) {
-  return readChecked(std::string(text), name);
+  try {
+    return readChecked(std::string(text), name);
+  } catch (const std::exception& error) {  // out of memory, mostly
+    SceneFile scene;
+    scene.path = name;
+    fail(scene, std::string("cannot be read: ") + error.what());
+    return scene;
+  }
 }
 
 }  // namespace haptiv

@@ -1,10 +1,13 @@
 #include "scenegraph/SceneScan.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <unordered_map>
 
 #include "scenegraph/DeclaredFields.h"
+#include "scenegraph/RefusedText.h"
 #include "scenegraph/ScenePath.h"
 #include "scenegraph/SceneTokenizer.h"
 
@@ -21,7 +24,7 @@ constexpr std::size_t kNoNode = ~std::size_t{0};
 class Scanner {
  public:
   Scanner(std::string_view text, const std::string& file, const std::filesystem::path& folder)
-      : tokens_(text), file_(file), folder_(folder), vrml2_(text.starts_with("#VRML V2")) {}
+      : tokens_(text), file_(file), folder_(folder), vrml2_(text.starts_with("#VRML V2")), textSize_(text.size()) {}
 
   SceneScan run() {
     while (scan_.diagnostics.size() < kMaxDiagnostics) {
@@ -100,8 +103,23 @@ class Scanner {
         fail(token.line, std::string(word), "prototypes are not read: write out the nodes that they stand for");
       }
       takeValue(token);
+      checkImage(token);
       word_ = token;
       if (namesFiles(keyword(), word) && !fileList_) fileField_ = true;
+    }
+  }
+
+  /// Coin makes room for `image 30000 30000 4` before it looks for the pixels, which take two characters at least.
+  void checkImage(const SceneToken& token) {
+    if (token.text == "image" || token.text == "images") {
+      imageSizes_ = token.text == "image" ? 2 : 3;
+      pixels_ = 1;
+    } else if (imageSizes_ > 0) {
+      --imageSizes_;
+      pixels_ *= std::abs(std::atof(std::string(token.text).c_str()));
+      if (imageSizes_ == 0 && pixels_ > static_cast<double>(textSize_)) {
+        fail(token.line, keyword(), "the image is said to be larger than the whole file: correct its size");
+      }
     }
   }
 
@@ -136,21 +154,9 @@ class Scanner {
     const std::size_t index = scan_.nodes.size() - 1;
     if (!defName_.empty()) defined_[defName_] = index;
     defName_.clear();
-    const std::string why = refusal(keyword.text);
+    const std::string why = refusedNode(keyword.text);
     if (!why.empty()) fail(keyword.line, std::string(keyword.text), why);
     return index;
-  }
-
-  /// Nodes that open other files, or crash Coin.
-  static std::string refusal(std::string_view keyword) {
-    for (const std::string_view prefix : {"So", "VRML"}) {
-      if (keyword.starts_with(prefix)) keyword.remove_prefix(prefix.size());
-    }
-    if (keyword == "File" || keyword == "Inline" || keyword == "WWWInline") {
-      return "other files are not read from within a scene: paste their contents here";
-    }
-    if (keyword.find("Nurbs") != std::string_view::npos) return "NURBS are not read: convert them to triangles";
-    return {};
   }
 
   void close(const SceneToken& token) {
@@ -215,6 +221,7 @@ class Scanner {
   const std::string& file_;
   const std::filesystem::path& folder_;
   const bool vrml2_;
+  const std::size_t textSize_;
   SceneScan scan_;
   std::vector<Level> levels_;
   std::unordered_map<std::string, std::size_t> defined_;  ///< DEF name to the last node of it
@@ -224,6 +231,8 @@ class Scanner {
   int routeWords_ = 0;
   bool declaring_ = false;  ///< in `fields [ ... ]`
   std::vector<std::string> declared_;
+  int imageSizes_ = 0;  ///< how many sizes of an image come next
+  double pixels_ = 0;
   bool fileField_ = false;  ///< a file name comes next
   bool fileList_ = false;   ///< in a list of file names
 };
@@ -232,19 +241,6 @@ class Scanner {
 
 SceneScan scanSceneText(std::string_view text, const std::string& file, const std::filesystem::path& folder) {
   return Scanner(text, file, folder).run();
-}
-
-std::string headerFault(std::string_view text) {
-  if (text.empty()) return "the file is empty: a scene begins with \"#Inventor V2.1 ascii\"";
-  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
-  for (const std::string_view header :
-       {"#Inventor V2.1 ascii", "#Inventor V2.0 ascii", "#VRML V1.0 ascii", "#VRML V2.0 utf8"}) {
-    if (line.starts_with(header)) return {};
-  }
-  if (line.starts_with("#Inventor") && line.find("binary") != std::string_view::npos) {
-    return "the file is binary: convert it to text first (ivcat does it)";
-  }
-  return "the first line is not \"#Inventor V2.1 ascii\" (or V2.0, or VRML): is this an Open Inventor file?";
 }
 
 }  // namespace haptiv

@@ -27,7 +27,4 @@ struct SceneScan {
 /// not have, File, Inline, NURBS and PROTO, textures outside of `folder`. Needs initSceneGraph().
 SceneScan scanSceneText(std::string_view text, const std::string& file, const std::filesystem::path& folder);
 
-/// Why the text's first line is no header that can be read; empty where it is one.
-std::string headerFault(std::string_view text);
-
 }  // namespace haptiv

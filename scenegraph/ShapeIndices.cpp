@@ -1,128 +1,143 @@
 #include "scenegraph/ShapeIndices.h"
 
+#include <Inventor/VRMLnodes/SoVRMLColor.h>
 #include <Inventor/VRMLnodes/SoVRMLCoordinate.h>
 #include <Inventor/VRMLnodes/SoVRMLElevationGrid.h>
-#include <Inventor/VRMLnodes/SoVRMLIndexedFaceSet.h>
-#include <Inventor/VRMLnodes/SoVRMLIndexedLineSet.h>
-#include <Inventor/nodes/SoCoordinate3.h>
-#include <Inventor/nodes/SoCoordinate4.h>
-#include <Inventor/nodes/SoFaceSet.h>
+#include <Inventor/VRMLnodes/SoVRMLIndexedLine.h>
+#include <Inventor/VRMLnodes/SoVRMLIndexedShape.h>
+#include <Inventor/VRMLnodes/SoVRMLNormal.h>
+#include <Inventor/VRMLnodes/SoVRMLTextureCoordinate.h>
+#include <Inventor/nodes/SoIndexedLineSet.h>
 #include <Inventor/nodes/SoIndexedShape.h>
+#include <Inventor/nodes/SoIndexedTriangleStripSet.h>
 #include <Inventor/nodes/SoLOD.h>
 #include <Inventor/nodes/SoLevelOfDetail.h>
-#include <Inventor/nodes/SoLineSet.h>
-#include <Inventor/nodes/SoPointSet.h>
-#include <Inventor/nodes/SoQuadMesh.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSwitch.h>
-#include <Inventor/nodes/SoTriangleStripSet.h>
 #include <Inventor/nodes/SoVertexProperty.h>
+#include <Inventor/nodes/SoVertexShape.h>
 
-#include <algorithm>
-#include <cstdint>
 #include <set>
 
+#include "scenegraph/AttributesInForce.h"
 #include "scenegraph/GraphWalk.h"
 #include "scenegraph/Keyword.h"
 
 namespace haptiv {
 namespace {
 
-/// How many coordinates a shape reaches for: one more than its largest index.
-std::int64_t reachOf(const SoMFInt32& indices) {
-  const int32_t* values = indices.getValues(0);
-  const auto* largest = std::max_element(values, values + indices.getNum());
-  return indices.getNum() > 0 ? std::int64_t{*largest} + 1 : 0;
-}
-
-/// Of shapes that take coordinates in their order; -1 stands for all the rest.
-std::int64_t reachOf(std::int64_t start, const SoMFInt32& counts) {
-  std::int64_t reach = start;
-  for (int i = 0; i < counts.getNum(); ++i) {
-    if (counts[i] > 0) reach += counts[i];
-  }
-  return reach;
-}
-
-std::int64_t reachOf(const SoNode* node) {
-  if (const auto* indexed = dynamic_cast<const SoIndexedShape*>(node)) {
-    return indexed->coordIndex.isDefault() ? 0 : reachOf(indexed->coordIndex);
-  }
-  const auto* plain = dynamic_cast<const SoNonIndexedShape*>(node);
-  if (!plain) return 0;
-  const std::int64_t start = plain->startIndex.getValue();
-  if (const auto* faces = dynamic_cast<const SoFaceSet*>(node)) return reachOf(start, faces->numVertices);
-  if (const auto* strips = dynamic_cast<const SoTriangleStripSet*>(node)) return reachOf(start, strips->numVertices);
-  if (const auto* lines = dynamic_cast<const SoLineSet*>(node)) return reachOf(start, lines->numVertices);
-  if (const auto* points = dynamic_cast<const SoPointSet*>(node))
-    return start + std::max(0, points->numPoints.getValue());
-  if (const auto* mesh = dynamic_cast<const SoQuadMesh*>(node)) {
-    return start + std::int64_t{mesh->verticesPerRow.getValue()} * mesh->verticesPerColumn.getValue();
-  }
+/// The number of values of a VRML attribute node, of whatever kind; 0 where there is none.
+std::int64_t valuesOf(const SoNode* node) {
+  if (const auto* points = dynamic_cast<const SoVRMLCoordinate*>(node)) return points->point.getNum();
+  if (const auto* normals = dynamic_cast<const SoVRMLNormal*>(node)) return normals->vector.getNum();
+  if (const auto* colors = dynamic_cast<const SoVRMLColor*>(node)) return colors->color.getNum();
+  if (const auto* points = dynamic_cast<const SoVRMLTextureCoordinate*>(node)) return points->point.getNum();
   return 0;
 }
 
-/// Goes through the graph as actions do, remembering how many coordinates are in force. Recursive: expansionFault has
-/// bounded the depth.
+Attribute vrmlAttribute(const SoSFNode& node, const SoSFBool& perVertex) {
+  return {valuesOf(node.getValue()), perVertex.getValue() ? Per::vertex : Per::face, true};
+}
+
+/// Goes through the graph as actions do. Recursive: expansionFault has bounded the depth.
 class Checker {
  public:
   Diagnostics faults;
 
-  /// @return how many coordinates are in force after the node
-  std::int64_t visit(const SoNode* node, std::int64_t coordinates) {
-    if (const auto* points = dynamic_cast<const SoCoordinate3*>(node)) return points->point.getNum();
-    if (const auto* points = dynamic_cast<const SoCoordinate4*>(node)) return points->point.getNum();
-    if (const auto* vertices = dynamic_cast<const SoVertexProperty*>(node)) {
-      return vertices->vertex.getNum() > 0 ? vertices->vertex.getNum() : coordinates;
+  void visit(const SoNode* node, AttributesInForce& state) {
+    state.update(node);
+    if (const auto* shape = dynamic_cast<const SoVertexShape*>(node)) {
+      checkShape(*shape, state);
+    } else if (const auto* vrml = dynamic_cast<const SoVRMLIndexedShape*>(node)) {
+      checkShape(*vrml);
+    } else if (const auto* lines = dynamic_cast<const SoVRMLIndexedLine*>(node)) {
+      checkShape(*lines);
+    } else if (const auto* grid = dynamic_cast<const SoVRMLElevationGrid*>(node)) {
+      checkShape(*grid);
+    } else {
+      visitChildren(node, state);
     }
-    checkShape(node, coordinates);
-    return visitChildren(node, coordinates);
   }
 
  private:
-  std::int64_t visitChildren(const SoNode* node, std::int64_t before) {
+  void visitChildren(const SoNode* node, AttributesInForce& state) {
+    const AttributesInForce before = state;
     const auto children = writtenChildren(node);
     const auto* choice = dynamic_cast<const SoSwitch*>(node);
     const bool isLevels = dynamic_cast<const SoLOD*>(node) || dynamic_cast<const SoLevelOfDetail*>(node);
-    const bool all = (!choice && !isLevels) || (choice && choice->whichChild.getValue() == SO_SWITCH_ALL);
     const int chosen = choice ? choice->whichChild.getValue() : 0;
-    std::int64_t after = before;
+    const bool all = !isLevels && (!choice || chosen == SO_SWITCH_ALL);
     for (std::size_t i = 0; i < children.size(); ++i) {
-      const std::int64_t result = visit(children[i], all ? after : before);
-      if (all || static_cast<int>(i) == chosen) after = result;
+      AttributesInForce aside = before;  // what is not chosen may be shown later, and changes nothing after it
+      visit(children[i], all || static_cast<int>(i) == chosen ? state : aside);
     }
-    return node->isOfType(SoSeparator::getClassTypeId()) || !node->isOfType(SoGroup::getClassTypeId()) ? before : after;
+    const bool leaks = node->isOfType(SoGroup::getClassTypeId()) && !node->isOfType(SoSeparator::getClassTypeId());
+    if (!leaks) state = before;
   }
 
-  void checkShape(const SoNode* node, std::int64_t coordinates) {
-    if (const auto* shape = dynamic_cast<const SoVertexShape*>(node)) {
-      const auto* own = dynamic_cast<const SoVertexProperty*>(shape->vertexProperty.getValue());
-      if (own && own->vertex.getNum() > 0) coordinates = own->vertex.getNum();
-      hold(node, reachOf(node), coordinates);
-    } else if (const auto* faces = dynamic_cast<const SoVRMLIndexedShape*>(node)) {
-      hold(node, reachOf(faces->coordIndex), pointsOf(faces->coord.getValue()));
-    } else if (const auto* lines = dynamic_cast<const SoVRMLIndexedLine*>(node)) {
-      hold(node, reachOf(lines->coordIndex), pointsOf(lines->coord.getValue()));
-    } else if (const auto* grid = dynamic_cast<const SoVRMLElevationGrid*>(node)) {
-      const std::int64_t heights = std::int64_t{grid->xDimension.getValue()} * grid->zDimension.getValue();
-      hold(node, heights, grid->height.getNum());
+  void checkShape(const SoVertexShape& shape, AttributesInForce state) {
+    if (const SoNode* own = shape.vertexProperty.getValue()) state.update(own);
+    const auto* indexed = dynamic_cast<const SoIndexedShape*>(&shape);
+    ShapeReach reach;
+    if (!indexed) {
+      reach = reachOfCounts(&shape, state.coordinates);
+    } else if (!indexed->coordIndex.isDefault()) {
+      reach = reachOfIndices(indexed->coordIndex, dynamic_cast<const SoIndexedLineSet*>(&shape),
+                             dynamic_cast<const SoIndexedTriangleStripSet*>(&shape));
     }
+    hold(&shape, "coordinate", reach.coordinates, state.coordinates);
+    hold(&shape, "normal", reach, state.normals, indexed ? &indexed->normalIndex : nullptr);
+    hold(&shape, "material", reach, state.materials, indexed ? &indexed->materialIndex : nullptr);
+    hold(&shape, "texture coordinate", reach, state.textureCoordinates,
+         indexed ? &indexed->textureCoordIndex : nullptr);
+    if (!reach.fault.empty()) say(&shape, reach.fault);
   }
 
-  static std::int64_t pointsOf(const SoNode* node) {
-    const auto* coordinates = dynamic_cast<const SoVRMLCoordinate*>(node);
-    return coordinates ? coordinates->point.getNum() : 0;
+  void checkShape(const SoVRMLIndexedShape& shape) {
+    const ShapeReach reach = reachOfIndices(shape.coordIndex, false, false);
+    hold(&shape, "coordinate", reach.coordinates, valuesOf(shape.coord.getValue()));
+    hold(&shape, "normal", reach, vrmlAttribute(shape.normal, shape.normalPerVertex), &shape.normalIndex);
+    hold(&shape, "color", reach, vrmlAttribute(shape.color, shape.colorPerVertex), &shape.colorIndex);
+    const Attribute texture{valuesOf(shape.texCoord.getValue()), Per::vertex, true};
+    hold(&shape, "texture coordinate", reach, texture, &shape.texCoordIndex);
+    if (!reach.fault.empty()) say(&shape, reach.fault);
   }
 
-  void hold(const SoNode* node, std::int64_t reach, std::int64_t coordinates) {
-    if (reach <= coordinates || !said_.insert(node).second) return;
-    faults.push_back({Diagnostic::Severity::error,
-                      {},
-                      0,
-                      describe(node),
-                      "reaches for coordinate " + std::to_string(reach - 1) + " (the first is 0), and there are " +
-                          std::to_string(coordinates) + ": correct its indices or counts, or add coordinates",
-                      node});
+  void checkShape(const SoVRMLIndexedLine& shape) {
+    const ShapeReach reach = reachOfIndices(shape.coordIndex, true, false);
+    hold(&shape, "coordinate", reach.coordinates, valuesOf(shape.coord.getValue()));
+    hold(&shape, "color", reach, vrmlAttribute(shape.color, shape.colorPerVertex), &shape.colorIndex);
+    if (!reach.fault.empty()) say(&shape, reach.fault);
+  }
+
+  void checkShape(const SoVRMLElevationGrid& grid) {
+    const std::int64_t columns = std::max(0, grid.xDimension.getValue());
+    const std::int64_t rows = std::max(0, grid.zDimension.getValue());
+    ShapeReach reach;
+    reach.vertices = columns * rows;
+    reach.faces = std::max<std::int64_t>(0, (columns - 1) * (rows - 1));
+    hold(&grid, "height", reach.vertices, grid.height.getNum());
+    hold(&grid, "normal", reach, vrmlAttribute(grid.normal, grid.normalPerVertex), nullptr);
+    hold(&grid, "color", reach, vrmlAttribute(grid.color, grid.colorPerVertex), nullptr);
+    hold(&grid, "texture coordinate", reach, {valuesOf(grid.texCoord.getValue()), Per::vertex, true}, nullptr);
+  }
+
+  /// An attribute without any value is made by Coin itself.
+  void hold(const SoNode* node, const char* what, const ShapeReach& reach, const Attribute& attribute,
+            const SoMFInt32* index) {
+    if (attribute.count > 0) hold(node, what, reach.of(attribute.per, attribute.byIndex, index), attribute.count);
+  }
+
+  void hold(const SoNode* node, const char* what, std::int64_t needed, std::int64_t available) {
+    if (needed <= available) return;
+    say(node, "reaches for " + std::string(what) + " " + std::to_string(needed - 1) +
+                  " (the first is 0), and there are " + std::to_string(available) +
+                  ": correct its indices or counts, or add what is missing");
+  }
+
+  void say(const SoNode* node, std::string message) {
+    if (!said_.insert(node).second) return;
+    faults.push_back({Diagnostic::Severity::error, {}, 0, describe(node), std::move(message), node});
   }
 
   std::set<const SoNode*> said_;
@@ -132,7 +147,8 @@ class Checker {
 
 Diagnostics shapeIndexFaults(SoNode* root) {
   Checker checker;
-  checker.visit(root, 0);
+  AttributesInForce state;
+  checker.visit(root, state);
   return std::move(checker.faults);
 }
 

@@ -4,8 +4,9 @@
 
 namespace haptiv {
 
-/// Shapes that point beyond their coordinates: Coin crashes on them when they are drawn or visited, so a scene that has
-/// one is not to be shown. The graph must have no cycles. Looks behind every Switch and level of detail.
+/// Shapes that reach beyond their coordinates, normals, materials or texture coordinates: Coin crashes on them when
+/// they are drawn or visited, so a scene that has one is not to be shown. The graph must have passed expansionFault.
+/// Looks behind every Switch and level of detail. The diagnostics have neither file nor line.
 Diagnostics shapeIndexFaults(SoNode* root);
 
 }  // namespace haptiv
