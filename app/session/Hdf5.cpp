@@ -1,5 +1,6 @@
 #include "app/session/Hdf5.h"
 
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -13,6 +14,8 @@ constexpr hsize_t kPageSize = 4096;
 
 std::mutex& processLock() {
   static std::mutex mutex;
+  // What is opened here is closed here; HDF5's own clean-up at the program's end crashes after a failed write.
+  [[maybe_unused]] static const herr_t first = H5dont_atexit();
   return mutex;
 }
 
@@ -82,6 +85,14 @@ void flushToDisk(const Handle& file, const std::filesystem::path& path) {
   checked(H5Fget_vfd_handle(file.id(), H5P_DEFAULT, &descriptor), path, "reach the session log's file", kRemedy);
   if (fdatasync(*static_cast<int*>(descriptor)) != 0)
     fail(path, "cannot bring the session log to the disk: " + std::generic_category().message(errno), kRemedy);
+}
+
+void abandon(const Handle& file) noexcept {
+  void* descriptor = nullptr;
+  const int elsewhere = memfd_create("abandoned session log", MFD_CLOEXEC);
+  if (elsewhere >= 0 && H5Fget_vfd_handle(file.id(), H5P_DEFAULT, &descriptor) >= 0)
+    dup2(elsewhere, *static_cast<int*>(descriptor));
+  if (elsewhere >= 0) close(elsewhere);
 }
 
 Handle openFile(const std::filesystem::path& path, bool& closedWell) {

@@ -64,6 +64,9 @@ Handle createFile(const std::filesystem::path& path);
 void startSwmr(const Handle& file, const std::filesystem::path& path);
 /// HDF5's caches into the file, and the file to the disk (fdatasync).
 void flushToDisk(const Handle& file, const std::filesystem::path& path);
+/// From here on no byte reaches the file: after a failed write, HDF5's own closing would make it unreadable, while like
+/// this it stays as a crash would leave it. It is to be closed next.
+void abandon(const Handle& file) noexcept;
 /// Opens for reading; `closedWell` becomes false where its writer did not close it.
 Handle openFile(const std::filesystem::path& path, bool& closedWell);
 /// A new folder within the file.

@@ -128,9 +128,15 @@ void SessionLogWriter::File::writeOut(bool all) {
   const std::size_t rows = all ? waitingRows_ : wholeChunks > written ? wholeChunks - written : 0;
   if (rows == 0 && !all) return;
   expectSpace();
-  writeScenes();
-  writeTicks(rows);
-  hdf5::flushToDisk(file_, path_);
+  try {
+    writeScenes();
+    writeTicks(rows);
+    hdf5::flushToDisk(file_, path_);
+  } catch (...) {
+    hdf5::abandon(file_);
+    close();
+    throw;
+  }
 }
 
 void SessionLogWriter::File::writeText(Table& table, std::string_view text) {
@@ -166,6 +172,10 @@ void SessionLogWriter::File::finish(bool complete, std::uint64_t dropped, std::s
   writeText(end_[2], reason);
   end_[0].append(&completeCell, 1);
   hdf5::flushToDisk(file_, path_);
+  close();
+}
+
+void SessionLogWriter::File::close() {
   tables_.clear();
   scenes_.clear();
   end_.clear();

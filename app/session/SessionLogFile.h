@@ -36,6 +36,8 @@ struct SessionLogWriter::File {
   void writeText(hdf5::Table& table, std::string_view text);
   /// Writes the end record and closes the file.
   void finish(bool complete, std::uint64_t dropped, std::string_view reason);
+  /// HDF5 wants what is within a file closed before it.
+  void close();
 
   std::filesystem::path path_;
   FreeSpace freeSpace_;
