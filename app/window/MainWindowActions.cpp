@@ -77,11 +77,11 @@ void MainWindow::buildActions() {
 
 void MainWindow::buildToolBar() {
   Parts& p = *parts_;
-  p.hand->setIcon(windowIcon(WindowIcon::hand));
-  p.select->setIcon(windowIcon(WindowIcon::select));
-  p.fromAbove->setIcon(windowIcon(WindowIcon::fromAbove));
-  p.showAll->setIcon(windowIcon(WindowIcon::showAll));
-  p.showArm->setIcon(windowIcon(WindowIcon::arm));
+  p.hand->setIcon(iconOf(WindowIcon::hand));
+  p.select->setIcon(iconOf(WindowIcon::select));
+  p.fromAbove->setIcon(iconOf(WindowIcon::fromAbove));
+  p.showAll->setIcon(iconOf(WindowIcon::showAll));
+  p.showArm->setIcon(iconOf(WindowIcon::arm));
   p.editor->addWall()->setIconText(tr("Wall"));
   p.editor->addDampingZone()->setIconText(tr("Damping zone"));
   p.editor->addSpringZone()->setIconText(tr("Spring zone"));

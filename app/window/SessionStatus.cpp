@@ -16,14 +16,6 @@ QLabel* label(QStatusBar* bar, const char* name, bool permanent) {
   return label;
 }
 
-QString faultNames(std::uint32_t faults) {
-  QStringList names;
-  for (std::uint32_t bit = 1; bit != 0 && bit <= faults; bit <<= 1) {
-    if (faults & bit) names << faultName(static_cast<Fault>(bit));
-  }
-  return names.join(", ");
-}
-
 }  // namespace
 
 SessionStatus::SessionStatus(QWidget* parent) : QStatusBar(parent) {
@@ -51,7 +43,8 @@ void SessionStatus::showTick(const TickRecord& record, double rate) {
   missed_->setText(tr("missed ticks: %1").arg(record.missedTicks));
   for (QLabel* label : {force_, rate_, missed_}) label->show();
   if (record.faults != kNoFault) {
-    showState(tr("Fault: %1").arg(faultNames(record.faults)), tr("the arm is braked; stop the session to go on"));
+    showState(tr("Fault: %1").arg(faultName(static_cast<Fault>(record.faults))),
+              tr("the arm is braked; stop the session to go on"));
     state_->setStyleSheet("color: #b00020");
   }
 }

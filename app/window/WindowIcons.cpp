@@ -59,7 +59,7 @@ void drawArm(QPainter& painter) {
 
 }  // namespace
 
-QIcon windowIcon(WindowIcon icon) {
+QIcon iconOf(WindowIcon icon) {
   QPixmap pixmap(kSide, kSide);
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);

@@ -7,6 +7,6 @@ namespace haptiv {
 /// The window's own icons, drawn in plain strokes like the editor's.
 enum class WindowIcon { hand, select, fromAbove, showAll, arm };
 
-QIcon windowIcon(WindowIcon icon);
+QIcon iconOf(WindowIcon icon);
 
 }  // namespace haptiv
