@@ -2,6 +2,7 @@
 
 #include <Inventor/nodes/SoCube.h>
 #include <Inventor/nodes/SoCylinder.h>
+#include <Inventor/nodes/SoShapeHints.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -23,6 +24,7 @@ constexpr std::array<float, 5> kTubeRadius = {0.013F, 0.012F, 0.010F, 0.010F, 0.
 constexpr std::array<float, 9> kHousingRadius = {0.04F, 0.034F, 0.031F, 0.028F, 0.025F, 0.016F, 0.018F, 0.018F, 0.016F};
 constexpr float kScaraHousing = 0.05F;  // heights
 constexpr float kLiftHousing = 0.04F;
+const SbColor kGloss(0.30F, 0.32F, 0.34F);
 
 SoNode* tube(float radius) {
   auto* cylinder = new SoCylinder;
@@ -44,8 +46,12 @@ SoNode* plate(float width, float thickness) {
 ArmFigure::ArmFigure() : root_(new SoSeparator), castings_(new SoSeparator), tubes_(new SoSeparator) {
   root_->renderCaching = SoSeparator::OFF;
   root_->boundingBoxCaching = SoSeparator::OFF;
+  auto* solid = new SoShapeHints;  // inner faces are not drawn, however translucent the arm is
+  solid->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
+  solid->shapeType = SoShapeHints::SOLID;
+  root_->addChild(solid);
   materials_ = {addMaterial(castings_, SbColor(0.22F, 0.29F, 0.38F)),
-                addMaterial(tubes_, SbColor(0.60F, 0.67F, 0.74F))};
+                addMaterial(tubes_, SbColor(0.46F, 0.53F, 0.61F))};
   addLinks();
   addJoints();
   addPost();
@@ -54,8 +60,8 @@ ArmFigure::ArmFigure() : root_(new SoSeparator), castings_(new SoSeparator), tub
 SoMaterial* ArmFigure::addMaterial(SoSeparator* parent, const SbColor& color) {
   auto* material = new SoMaterial;
   material->diffuseColor = color;
-  material->ambientColor = color * 0.8F;
-  material->specularColor = SbColor(0.45F, 0.47F, 0.5F);
+  material->ambientColor = color * 0.5F;
+  material->specularColor = kGloss;
   material->shininess = 0.6F;
   parent->addChild(material);
   root_->addChild(parent);
@@ -97,9 +103,11 @@ void ArmFigure::show(const JointVector& q) {
 }
 
 void ArmFigure::setTransparency(double transparency) {
+  const auto value = static_cast<float>(transparency);
   for (SoMaterial* material : materials_) {
-    if (material->transparency[0] != static_cast<float>(transparency))
-      material->transparency = static_cast<float>(transparency);
+    if (material->transparency[0] == value) continue;
+    material->transparency = value;
+    material->specularColor = kGloss * (1 - value);  // or the gloss alone would whiten what is behind
   }
 }
 

@@ -3,6 +3,7 @@
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/elements/SoGLLazyElement.h>
 #include <Inventor/nodes/SoCallback.h>
+#include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/system/gl.h>
 
 namespace haptiv {
@@ -47,10 +48,15 @@ void draw(void*, SoAction* action) {
 
 }  // namespace
 
+// In a separator: a bare callback would be called again, over all that was drawn, for each path of the transparent
+// pass.
 SoNode* makeBackground() {
+  auto* separator = new SoSeparator;
+  separator->renderCaching = SoSeparator::OFF;
   auto* callback = new SoCallback;
   callback->setCallback(draw);
-  return callback;
+  separator->addChild(callback);
+  return separator;
 }
 
 }  // namespace haptiv

@@ -4,7 +4,7 @@
 
 namespace haptiv {
 
-/// A calm light gradient over the whole picture. To be traversed before anything else is drawn, outside of caches.
+/// A calm light gradient over the whole picture. Stands before all else that is drawn.
 SoNode* makeBackground();
 
 }  // namespace haptiv

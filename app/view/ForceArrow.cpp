@@ -21,7 +21,7 @@ ForceArrow::ForceArrow(const SbColor& color, double thickness)
   root_->boundingBoxCaching = SoSeparator::OFF;
   auto* material = new SoMaterial;
   material->diffuseColor = color;
-  material->emissiveColor = color * 0.25F;
+  material->emissiveColor = color * 0.1F;
   root_->addChild(shown_);
   for (SoNode* node : std::initializer_list<SoNode*>{material, place_, toShaft_, shaft_, toHead_, head_}) {
     shown_->addChild(node);

@@ -32,7 +32,7 @@ SoSeparator* HapticOverlay::Parts::makeBall() {
   separator->boundingBoxCaching = SoSeparator::OFF;
   auto* material = new SoMaterial;
   material->diffuseColor = SbColor(1.0F, 0.50F, 0.05F);
-  material->ambientColor = SbColor(0.9F, 0.45F, 0.05F);
+  material->ambientColor = SbColor(0.4F, 0.2F, 0.02F);
   material->specularColor = SbColor(0.9F, 0.9F, 0.85F);
   material->shininess = 0.85F;
   ball->radius = 0.01F;

@@ -3,13 +3,16 @@
 
 #include <Inventor/SbViewportRegion.h>
 #include <Inventor/actions/SoGLRenderAction.h>
-#include <Inventor/actions/SoGetBoundingBoxAction.h>
+#include <Inventor/errors/SoDebugError.h>
 #include <Inventor/system/gl.h>
 
 #include <algorithm>
+#include <cstring>
 #include <stdexcept>
+#include <string>
 
 #include "app/view/Background.h"
+#include "app/view/ShapeBoxes.h"
 #include "app/view/StudioLights.h"
 #include "app/view/SurfacelessContext.h"
 #include "app/view/ViewCamera.h"
@@ -67,11 +70,27 @@ class Canvas {
   GLuint buffers_[2] = {};
 };
 
+/// Coin warns that there is no GLX wherever EGL draws: true, and of no consequence. Other warnings go where they went.
+class QuietAboutGlx {
+ public:
+  QuietAboutGlx() { SoDebugError::setHandlerCallback(pass, this); }
+  ~QuietAboutGlx() { SoDebugError::setHandlerCallback(before_, data_); }
+  QuietAboutGlx(const QuietAboutGlx&) = delete;
+  QuietAboutGlx& operator=(const QuietAboutGlx&) = delete;
+
+ private:
+  static void pass(const SoError* error, void* self) {
+    const auto* quiet = static_cast<const QuietAboutGlx*>(self);
+    if (!std::strstr(error->getDebugString().getString(), "glxglue")) quiet->before_(error, quiet->data_);
+  }
+
+  SoErrorCB* before_ = SoDebugError::getHandlerCallback();
+  void* data_ = SoDebugError::getHandlerData();
+};
+
 NodeRef<SoSeparator> makeStage(SoNode* root, const SbViewportRegion& region) {
-  SoGetBoundingBoxAction bounds(region);
-  bounds.apply(root);
   ViewCamera camera;
-  camera.fit(bounds.getBoundingBox(), region.getViewportAspectRatio());
+  camera.fit(shapeBoxes(root), region.getViewportAspectRatio());
 
   NodeRef<SoSeparator> stage(new SoSeparator);
   stage->renderCaching = SoSeparator::OFF;
@@ -88,12 +107,15 @@ QImage drawOffscreen(SoNode* root, int width, int height) {
   const NodeRef<> kept(root);
   const SbViewportRegion region(static_cast<short>(width), static_cast<short>(height));
   const SurfacelessContext context;
+  const QuietAboutGlx quiet;
   GLint mostSamples = 0;
   glGetIntegerv(GL_MAX_SAMPLES, &mostSamples);
   const Canvas flat(width, height, 0);
   const Canvas canvas(width, height, std::min(kSamples, mostSamples));
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glEnable(GL_NORMALIZE);
 
   SoGLRenderAction action(region);
   action.setCacheContext(context.coinId());

@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kSamples = 4;
 constexpr double kPickPixels = 2;
-constexpr double kArmTransparency = 0.35;
+constexpr double kArmTransparency = 0.25;
 constexpr double kArmTransparencyFromAbove = 0.85;  // there it lies over all else
 
 /// The part of a picked path from `root` to the shape; null where the path does not go through it, or where what was
@@ -196,11 +196,10 @@ bool SceneView::isFromAbove() const {
 void SceneView::viewAll() {
   SoGetBoundingBoxAction bounds(parts_->region());
   bounds.apply(parts_->scene);
-  SbBox3f box = bounds.getBoundingBox();
   const Vector3 ball = parts_->overlay.ballPosition();
   const Vector3 radius = Vector3::Constant(parts_->overlay.ballRadius());
-  box.extendBy(SbBox3f(toCoin(ball - radius), toCoin(ball + radius)));
-  parts_->camera.fit(box, static_cast<double>(parts_->size().width()) / parts_->size().height());
+  parts_->camera.fit({bounds.getBoundingBox(), SbBox3f(toCoin(ball - radius), toCoin(ball + radius))},
+                     static_cast<double>(parts_->size().width()) / parts_->size().height());
 }
 
 void SceneView::redraw() {
@@ -217,7 +216,9 @@ QImage SceneView::grabImage() {
   buffer.bind();
   parts_->area->getSceneManager()->render(parts_->area->getGLRenderAction());
   buffer.release();
-  return buffer.toImage().convertToFormat(QImage::Format_RGB32);
+  QImage image = buffer.toImage();
+  image.reinterpretAsFormat(QImage::Format_RGB32);  // what blending left in the alpha channel means nothing
+  return image;
 }
 
 QPointF SceneView::toWidget(const Vector3& p_W) const {

@@ -1,12 +1,11 @@
 #include "app/view/ViewCamera.h"
 
 #include <Inventor/SbLine.h>
-#include <Inventor/SbMatrix.h>
 #include <Inventor/SbViewVolume.h>
-#include <Inventor/SbViewportRegion.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "app/view/CoinValues.h"
@@ -22,17 +21,31 @@ constexpr double kHighest = 2;  // the orthographic camera stands at least so hi
 constexpr double kMargin = 1.06;
 const double kTan = std::tan(kFieldOfView / 2);
 
-SbViewportRegion region(const QSize& picture) {
-  return {static_cast<short>(picture.width()), static_cast<short>(picture.height())};
-}
-
-SbViewVolume volume(SoCamera* camera, const QSize& picture) {
-  SbViewportRegion ignored;
-  return camera->getViewVolume(region(picture), ignored);
+// As Coin's cameras draw it (ADJUST_CAMERA): upright pictures see as far to the sides as square ones.
+SbViewVolume volume(const SoCamera* camera, const QSize& picture) {
+  const float aspectRatio = static_cast<float>(picture.width()) / static_cast<float>(picture.height());
+  SbViewVolume seen = camera->getViewVolume(aspectRatio);
+  if (aspectRatio < 1) seen.scale(1 / aspectRatio);
+  return seen;
 }
 
 SbVec2f normalized(const QPointF& pixel, const QSize& picture) {
   return {static_cast<float>(pixel.x() / picture.width()), static_cast<float>(1 - pixel.y() / picture.height())};
+}
+
+std::vector<Vector3> cornersIn(const SbRotation& axes, const std::vector<SbBox3f>& boxes) {
+  const SbRotation toAxes = axes.inverse();
+  std::vector<Vector3> corners;
+  for (const SbBox3f& box : boxes) {
+    const SbVec3f& low = box.getMin();
+    const SbVec3f& high = box.getMax();
+    for (int i = 0; i < 8 && !box.isEmpty(); ++i) {
+      SbVec3f p(i & 1 ? high[0] : low[0], i & 2 ? high[1] : low[1], i & 4 ? high[2] : low[2]);
+      toAxes.multVec(p, p);
+      corners.push_back(toEigen(p));
+    }
+  }
+  return corners;
 }
 
 }  // namespace
@@ -78,26 +91,31 @@ void ViewCamera::zoom(double factor, const Vector3& p_W) {
   update();
 }
 
-void ViewCamera::fit(const SbBox3f& box, double aspectRatio) {
-  if (box.isEmpty()) return;
+// In the camera's axes, z towards the eye: the eye sees a point to its right if x - eye.x <= tan (eye.z - z), and so to
+// the other sides. From above, where rays are parallel, depths count for nothing.
+void ViewCamera::fit(const std::vector<SbBox3f>& boxes, double aspectRatio) {
   const double tanUp = kTan * std::max(1.0, 1 / aspectRatio);  // Coin widens the view of upright pictures
-  const double tanAcross = tanUp * aspectRatio;
-  const SbMatrix toCamera = [this] {
-    SbMatrix matrix;
-    matrix.setRotate(orientation().inverse());
-    return matrix;
-  }();
-  const SbVec3f low = box.getMin() - box.getCenter();
-  const SbVec3f high = box.getMax() - box.getCenter();
-  double distance = kNearest;
-  for (int corner = 0; corner < 8; ++corner) {
-    SbVec3f p(corner & 1 ? high[0] : low[0], corner & 2 ? high[1] : low[1], corner & 4 ? high[2] : low[2]);
-    toCamera.multVecMatrix(p, p);
-    const double needed = std::max(std::abs(p[0]) / tanAcross, std::abs(p[1]) / tanUp);
-    distance = std::max(distance, needed * kMargin + (fromAbove_ ? 0.0 : p[2]));
+  const Eigen::Vector2d tan(tanUp * aspectRatio, tanUp);
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  Eigen::Vector2d most = Eigen::Vector2d::Constant(kNone);   // to the right and up
+  Eigen::Vector2d least = Eigen::Vector2d::Constant(kNone);  // to the left and down
+  double sumOfDepths = 0;
+  int count = 0;
+  for (const Vector3& p : cornersIn(orientation(), boxes)) {
+    const Eigen::Vector2d depth = fromAbove_ ? Eigen::Vector2d::Zero() : Eigen::Vector2d(tan * p.z());
+    most = most.cwiseMax(p.head<2>() + depth);
+    least = least.cwiseMax(depth - p.head<2>());
+    sumOfDepths += p.z();
+    ++count;
   }
-  target_ = toEigen(box.getCenter());
-  distance_ = std::min(distance, kFarthest);
+  if (count == 0) return;
+  const double depth = sumOfDepths / count;
+  const double eye = (most + least).cwiseQuotient(2 * tan).maxCoeff() * kMargin;
+  distance_ = std::clamp(fromAbove_ ? eye : eye - depth, kNearest, kFarthest);
+  const Eigen::Vector2d middle = (most - least) / 2;
+  SbVec3f target;
+  orientation().multVec(toCoin({middle.x(), middle.y(), depth}), target);
+  target_ = toEigen(target);
   update();
 }
 

@@ -7,6 +7,7 @@
 
 #include <QPointF>
 #include <QSize>
+#include <vector>
 
 #include "device/types.h"
 #include "scenegraph/NodeRef.h"
@@ -37,8 +38,8 @@ class ViewCamera {
   void pan(const QPointF& from, const QPointF& to, const QSize& picture);
   /// Nearer by this factor, with `p_W` staying where it is in the picture.
   void zoom(double factor, const Vector3& p_W);
-  /// As near as the box is wholly seen.
-  void fit(const SbBox3f& box, double aspectRatio);
+  /// As near as all boxes are wholly seen.
+  void fit(const std::vector<SbBox3f>& boxes, double aspectRatio);
 
   ViewRay ray(const QPointF& pixel, const QSize& picture) const;
   /// Where a ray through the pixel meets the plane through the place looked at, facing the camera.

@@ -25,7 +25,7 @@ double apart(const QPointF& a, const QPointF& b) {
 TEST(ViewCamera, ShowsXToTheRightAndYUpFromAbove) {
   ViewCamera camera;
   camera.setFromAbove(true);
-  camera.fit(kBox, 16.0 / 9);
+  camera.fit({kBox}, 16.0 / 9);
   const QPointF middle = pixelOf(camera, 0, 0, 0);
   const QPointF right = pixelOf(camera, 0.1, 0, 0);
   const QPointF up = pixelOf(camera, 0, 0.1, 0);
@@ -40,7 +40,7 @@ TEST(ViewCamera, FitsTheBoxIntoThePicture) {
     for (bool fromAbove : {true, false}) {
       ViewCamera camera;
       camera.setFromAbove(fromAbove);
-      camera.fit(kBox, static_cast<double>(picture.width()) / picture.height());
+      camera.fit({kBox}, static_cast<double>(picture.width()) / picture.height());
       double used = 0;
       for (int i = 0; i < 8; ++i) {
         const QPointF p = camera.toPixel({i & 1 ? 0.3 : -0.3, i & 2 ? 0.2 : -0.2, i & 4 ? 0.06 : 0.0}, picture) -
@@ -55,7 +55,7 @@ TEST(ViewCamera, FitsTheBoxIntoThePicture) {
 
 TEST(ViewCamera, KeepsLookingAtTheSamePlaceWhenThePlanComesAndGoes) {
   ViewCamera camera;
-  camera.fit(kBox, 16.0 / 9);
+  camera.fit({kBox}, 16.0 / 9);
   camera.pan({600, 300}, {700, 350}, kPicture);
   const Vector3 before = camera.onFocalPlane({640, 360}, kPicture);
   camera.setFromAbove(true);
@@ -68,7 +68,7 @@ TEST(ViewCamera, ZoomsTowardsAPlaceThatStaysUnderTheMouse) {
   for (bool fromAbove : {true, false}) {
     ViewCamera camera;
     camera.setFromAbove(fromAbove);
-    camera.fit(kBox, 16.0 / 9);
+    camera.fit({kBox}, 16.0 / 9);
     const Vector3 place(0.2, -0.1, 0.06);
     const QPointF before = camera.toPixel(place, kPicture);
     const double size = camera.metresPerPixel(place, kPicture);
@@ -80,7 +80,7 @@ TEST(ViewCamera, ZoomsTowardsAPlaceThatStaysUnderTheMouse) {
 
 TEST(ViewCamera, PansWhatWasUnderTheMouseAlong) {
   ViewCamera camera;
-  camera.fit(kBox, 16.0 / 9);
+  camera.fit({kBox}, 16.0 / 9);
   const Vector3 place = camera.onFocalPlane({500, 200}, kPicture);
   camera.pan({500, 200}, {620, 410}, kPicture);
   EXPECT_LT(apart(camera.toPixel(place, kPicture), {620, 410}), kPixel);
@@ -89,7 +89,7 @@ TEST(ViewCamera, PansWhatWasUnderTheMouseAlong) {
 TEST(ViewCamera, OrbitsAboutThePlaceLookedAtAndLeavesThePlanWithoutAJump) {
   ViewCamera camera;
   camera.setFromAbove(true);
-  camera.fit(kBox, 16.0 / 9);
+  camera.fit({kBox}, 16.0 / 9);
   camera.orbit({0, 0}, kPicture);
   EXPECT_FALSE(camera.isFromAbove());
   const QPointF middle = pixelOf(camera, 0, 0, 0.03);
@@ -103,7 +103,7 @@ TEST(ViewCamera, MeetsWithItsRaysWhatItProjects) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-0.3, 0.3);
   ViewCamera camera;
-  camera.fit(kBox, 16.0 / 9);
+  camera.fit({kBox}, 16.0 / 9);
   for (int i = 0; i < 200; ++i) {
     camera.orbit({500 * unit(random), 100 * unit(random)}, kPicture);
     const Vector3 place(unit(random), unit(random), unit(random));
@@ -115,7 +115,7 @@ TEST(ViewCamera, MeetsWithItsRaysWhatItProjects) {
 
 TEST(HandGrip, StaysInTheHorizontalPlaneOfTheBallAndDoesNotJump) {
   ViewCamera camera;
-  camera.fit(kBox, 16.0 / 9);
+  camera.fit({kBox}, 16.0 / 9);
   const Vector3 ball(0.05, 0.02, 0.04);
   HandGrip grip(camera);
   const QPointF beside = camera.toPixel(ball, kPicture) + QPointF(9, -4);
@@ -134,7 +134,7 @@ TEST(HandGrip, MovesStraightUpAndDownWithShift) {
   for (bool fromAbove : {true, false}) {
     ViewCamera camera;
     camera.setFromAbove(fromAbove);
-    camera.fit(kBox, 16.0 / 9);
+    camera.fit({kBox}, 16.0 / 9);
     const Vector3 ball(0.05, 0.02, 0.04);
     HandGrip grip(camera);
     const QPointF at = camera.toPixel(ball, kPicture);
@@ -149,7 +149,7 @@ TEST(HandGrip, MovesStraightUpAndDownWithShift) {
 
 TEST(HandGrip, FacesTheCameraWhenTheViewIsFlat) {
   ViewCamera camera;
-  camera.fit(kBox, 16.0 / 9);
+  camera.fit({kBox}, 16.0 / 9);
   camera.orbit({0, -170}, kPicture);  // from 48 degrees down to about 5
   const Vector3 ball(0, 0, 0.03);
   HandGrip grip(camera);
@@ -163,7 +163,7 @@ TEST(HandGrip, FacesTheCameraWhenTheViewIsFlat) {
 TEST(HandGrip, DoesNotReachFarFromTheBall) {
   ViewCamera camera;
   camera.setFromAbove(true);
-  camera.fit(kBox, 16.0 / 9);
+  camera.fit({kBox}, 16.0 / 9);
   const Vector3 ball(0, 0, 0.03);
   const double radius = 0.01;
   const double edge = radius / camera.metresPerPixel(ball, kPicture);
