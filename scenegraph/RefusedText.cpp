@@ -9,6 +9,7 @@ std::string refusedNode(std::string_view keyword) {
   if (keyword == "File" || keyword == "Inline" || keyword == "WWWInline") {
     return "other files are not read from within a scene: paste their contents here";
   }
+  if (keyword == "Path") return "paths are not read: Coin crashes on broken ones; remove the field that holds it";
   if (keyword.find("Nurbs") != std::string_view::npos) return "NURBS are not read: convert them to triangles";
   return {};
 }

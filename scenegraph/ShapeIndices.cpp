@@ -35,8 +35,10 @@ std::int64_t valuesOf(const SoNode* node) {
   return 0;
 }
 
-Attribute vrmlAttribute(const SoSFNode& node, const SoSFBool& perVertex) {
-  return {valuesOf(node.getValue()), perVertex.getValue() ? Per::vertex : Per::face, true};
+/// Without an index of its own, VRML's attribute of faces goes through them in order.
+Attribute vrmlAttribute(const SoSFNode& node, const SoSFBool& perVertex, const SoMFInt32* index = nullptr) {
+  const bool vertices = perVertex.getValue();
+  return {valuesOf(node.getValue()), vertices ? Per::vertex : Per::face, vertices || (index && index->getNum() > 0)};
 }
 
 /// Goes through the graph as actions do. Recursive: expansionFault has bounded the depth.
@@ -96,8 +98,10 @@ class Checker {
   void checkShape(const SoVRMLIndexedShape& shape) {
     const ShapeReach reach = reachOfIndices(shape.coordIndex, false, false);
     hold(&shape, "coordinate", reach.coordinates, valuesOf(shape.coord.getValue()));
-    hold(&shape, "normal", reach, vrmlAttribute(shape.normal, shape.normalPerVertex), &shape.normalIndex);
-    hold(&shape, "color", reach, vrmlAttribute(shape.color, shape.colorPerVertex), &shape.colorIndex);
+    hold(&shape, "normal", reach, vrmlAttribute(shape.normal, shape.normalPerVertex, &shape.normalIndex),
+         &shape.normalIndex);
+    hold(&shape, "color", reach, vrmlAttribute(shape.color, shape.colorPerVertex, &shape.colorIndex),
+         &shape.colorIndex);
     const Attribute texture{valuesOf(shape.texCoord.getValue()), Per::vertex, true};
     hold(&shape, "texture coordinate", reach, texture, &shape.texCoordIndex);
     if (!reach.fault.empty()) say(&shape, reach.fault);
@@ -106,7 +110,8 @@ class Checker {
   void checkShape(const SoVRMLIndexedLine& shape) {
     const ShapeReach reach = reachOfIndices(shape.coordIndex, true, false);
     hold(&shape, "coordinate", reach.coordinates, valuesOf(shape.coord.getValue()));
-    hold(&shape, "color", reach, vrmlAttribute(shape.color, shape.colorPerVertex), &shape.colorIndex);
+    hold(&shape, "color", reach, vrmlAttribute(shape.color, shape.colorPerVertex, &shape.colorIndex),
+         &shape.colorIndex);
     if (!reach.fault.empty()) say(&shape, reach.fault);
   }
 
@@ -125,7 +130,10 @@ class Checker {
   /// An attribute without any value is made by Coin itself.
   void hold(const SoNode* node, const char* what, const ShapeReach& reach, const Attribute& attribute,
             const SoMFInt32* index) {
-    if (attribute.count > 0) hold(node, what, reach.of(attribute.per, attribute.byIndex, index), attribute.count);
+    if (attribute.count <= 0) return;
+    hold(node, what, reach.of(attribute.per, attribute.byIndex, index), attribute.count);
+    const std::string fault = reach.indexFault(attribute.per, attribute.byIndex, index);
+    if (!fault.empty()) say(node, "its list of " + std::string(what) + "s " + fault);
   }
 
   void hold(const SoNode* node, const char* what, std::int64_t needed, std::int64_t available) {

@@ -16,6 +16,11 @@ std::int64_t largestReach(const SoMFInt32& indices) {
   return indices.getNum() > 0 ? std::int64_t{*std::max_element(values, values + indices.getNum())} + 1 : 0;
 }
 
+/// Coin takes an index that begins with -1, the default, for none.
+bool hasValues(const SoMFInt32* index) {
+  return index && index->getNum() > 0 && (*index)[0] >= 0;
+}
+
 enum class Kind { faces, strips, lines };
 
 /// One polygon, strip or line of so many vertices.
@@ -59,11 +64,10 @@ ShapeReach reachOfMesh(const SoQuadMesh& mesh, std::int64_t start) {
 
 std::int64_t ShapeReach::of(Per per, bool byIndex, const SoMFInt32* index) const {
   if (per == Per::shape) return std::min<std::int64_t>(1, vertices);
-  const bool own = index && index->getNum() > 0 && (*index)[0] >= 0;
-  if (byIndex && indexed && own) return largestReach(*index);
+  if (byIndex && coordIndex && hasValues(index)) return largestReach(*index);
   switch (per) {
     case Per::vertex:
-      return byIndex && indexed ? coordinates : vertices;
+      return byIndex && coordIndex ? coordinates : vertices;
     case Per::face:
       return faces;
     default:
@@ -71,10 +75,32 @@ std::int64_t ShapeReach::of(Per per, bool byIndex, const SoMFInt32* index) const
   }
 }
 
+std::string ShapeReach::indexFault(Per per, bool byIndex, const SoMFInt32* index) const {
+  if (per == Per::shape || !byIndex || !coordIndex || !index || vertices == 0) return {};
+  if (hasValues(index)) return listFault(per, *index);
+  return per == Per::vertex || isLines ? std::string()
+                                       : "has no index, which its binding asks for: add one, or bind otherwise";
+}
+
+// Coin goes through an index of vertices in step with coordIndex, and through one of faces or parts by itself.
+std::string ShapeReach::listFault(Per per, const SoMFInt32& index) const {
+  const std::int64_t pieces = per == Per::face ? faces : parts;
+  const std::int64_t steps = per == Per::vertex ? coordIndex->getNum() : pieces;
+  for (std::int64_t i = 0; i < steps; ++i) {
+    const int at = static_cast<int>(i);
+    if (per == Per::vertex && (*coordIndex)[at] < 0) continue;
+    if (i >= index.getNum()) return "has fewer indices than the shape asks for: add the missing ones";
+    if (index[at] < 0)
+      return "has index " + std::to_string(index[at]) + " where the shape goes on: keep it in step with coordIndex";
+  }
+  return {};
+}
+
 ShapeReach reachOfIndices(const SoMFInt32& coordIndex, bool isLines, bool isStrips) {
   const Kind kind = isLines ? Kind::lines : isStrips ? Kind::strips : Kind::faces;
   ShapeReach reach;
-  reach.indexed = true;
+  reach.coordIndex = &coordIndex;
+  reach.isLines = isLines;
   reach.coordinates = largestReach(coordIndex);
   const int32_t* values = coordIndex.getValues(0);
   std::int64_t piece = 0;
