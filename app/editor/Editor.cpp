@@ -58,7 +58,6 @@ QAction* makeAction(QObject* owner, const QString& name, EditorIcon icon, const 
   action->setShortcut(shortcut);
   action->setToolTip(shortcut.isEmpty() ? tip
                                         : QString("%1 (%2)").arg(tip, shortcut.toString(QKeySequence::NativeText)));
-  action->setStatusTip(tip);
   return action;
 }
 

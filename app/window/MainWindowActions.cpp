@@ -17,7 +17,6 @@ QAction* action(MainWindow* window, const char* name, const QString& text, const
   auto* action = new QAction(text, window);
   action->setObjectName(name);
   action->setToolTip(shortcut.isEmpty() ? tip : QString("%1 (%2)").arg(tip, shortcut.toString()));
-  action->setStatusTip(tip);
   action->setShortcut(shortcut);
   action->setCheckable(checkable);
   return action;
