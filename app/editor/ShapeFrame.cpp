@@ -138,8 +138,12 @@ Vector3 ShapeFrame::size() const {
   return toWorld().linear().colwise().norm().transpose().cwiseProduct(dimensions_);
 }
 
+Matrix3 ShapeFrame::directions() const {
+  return toWorld().linear().colwise().normalized();
+}
+
 double ShapeFrame::yaw() const {
-  const Matrix3 axes = toWorld().linear().colwise().normalized();
+  const Matrix3 axes = directions();
   if (axes.col(0).head<2>().norm() > 0.1) return std::atan2(axes(1, 0), axes(0, 0));
   return std::atan2(-axes(0, 1), axes(1, 1));  // the x axis is upright: the y axis tells
 }
@@ -151,12 +155,6 @@ std::optional<Vector3> ShapeFrame::alignedHalfSize() const {
     if (directions.col(i).maxCoeff() < 1 - kAligned) return std::nullopt;
   }
   return Vector3(0.5 * axes.cwiseAbs().rowwise().maxCoeff());
-}
-
-int ShapeFrame::ownAxisAlong(int worldAxis) const {
-  int axis = 0;
-  toWorld().linear().colwise().normalized().cwiseAbs().row(worldAxis).maxCoeff(&axis);
-  return axis;
 }
 
 void ShapeFrame::setCentre(const Vector3& centre) {

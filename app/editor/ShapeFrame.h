@@ -31,9 +31,10 @@ class ShapeFrame {
   TransformValue value() const;
   void setValue(const TransformValue& value);
 
-  Vector3 centre() const;  ///< in W [m]
-  Vector3 size() const;    ///< full lengths along the shape's own axes [m]
-  double yaw() const;      ///< about W's z [rad]
+  Vector3 centre() const;      ///< in W [m]
+  Vector3 size() const;        ///< full lengths along the shape's own axes [m]
+  Matrix3 directions() const;  ///< of the shape's own axes, as unit columns in W
+  double yaw() const;          ///< about W's z [rad]
   /// Half lengths along W's axes, where every own axis lies along one of them; otherwise nothing.
   std::optional<Vector3> alignedHalfSize() const;
 
@@ -41,8 +42,6 @@ class ShapeFrame {
   /// About the centre. Lengths below kMinSize become it; what must stay round does, the most changed length decides.
   void setSize(const Vector3& size);
   void setYaw(double yaw);
-  /// Own axis that lies along this axis of W; for aligned shapes.
-  int ownAxisAlong(int worldAxis) const;
 
   static constexpr double kMinSize = 0.005;  ///< [m], thinner walls are not felt as such
 

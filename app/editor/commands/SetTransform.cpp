@@ -33,6 +33,7 @@ void SetTransform::exchange() {
 bool SetTransform::mergeWith(const QUndoCommand* next) {
   const auto* other = dynamic_cast<const SetTransform*>(next);
   if (!other || gesture_ == 0 || other->gesture_ != gesture_ || other->node_.get() != node_.get()) return false;
+  if (other->text() != text()) return false;  // a move and a turn are two steps
   bool isSame = true;
   for (std::size_t i = 0; i < values_.size(); ++i) isSame = isSame && values_[i].isSameAs(*fields()[i]);
   setObsolete(isSame);

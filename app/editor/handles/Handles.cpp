@@ -1,16 +1,22 @@
 #include "app/editor/handles/Handles.h"
 
+#include <Inventor/SbLine.h>
 #include <Inventor/draggers/SoDragger.h>
+#include <Inventor/events/SoEvent.h>
 #include <Inventor/manips/SoHandleBoxManip.h>
 #include <Inventor/nodes/SoSeparator.h>
 
 #include <QTimer>
+#include <cmath>
 
 #include "app/editor/Edits.h"
 #include "app/editor/handles/Snap.h"
 
 namespace haptiv {
 namespace {
+
+constexpr double kAlongGaze = 0.999;  // cosine: nobody sees a side move that way
+constexpr double kMinLean = 1e-3;     // sine squared between pull and gaze
 
 void write(SoTransform& node, const TransformValue& value) {
   node.translation = value.translation;
@@ -74,7 +80,7 @@ void Handles::attach() {
   }
   SoDragger* dragger = manip_->getDragger();
   dragger->addStartCallback([](void* self, SoDragger*) { static_cast<Handles*>(self)->beginDrag(); }, this);
-  dragger->addValueChangedCallback([](void* self, SoDragger*) { static_cast<Handles*>(self)->drag(); }, this);
+  dragger->addMotionCallback([](void* self, SoDragger*) { static_cast<Handles*>(self)->drag(); }, this);
   dragger->addFinishCallback([](void* self, SoDragger*) { static_cast<Handles*>(self)->endDrag(); }, this);
 }
 
@@ -99,15 +105,55 @@ void Handles::beginDrag() {
   const SoPath* path = document_.selection();
   start_ = manip_ && path ? ShapeFrame::of(*path) : std::nullopt;
   if (!start_) return;
+  SoDragger* dragger = manip_->getDragger();
+  const SbVec3f point = dragger->getWorldStartingPoint();
+  grip_ = {point[0], point[1], point[2]};
+  held_.reset();
   isDragging_ = true;
   emit draggingChanged(true);
+}
+
+Sides Handles::seenOf(Sides sides) const {
+  const SbVec3f gaze = manip_->getDragger()->getViewVolume().getProjectionDirection();
+  const Matrix3 directions = start_->directions();
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3 own = directions.col(axis);
+    if (std::abs(own.dot(Vector3(gaze[0], gaze[1], gaze[2]))) > kAlongGaze) sides[axis] = 0;
+  }
+  return sides;
+}
+
+std::optional<Vector3> Handles::pull() const {
+  SoDragger* dragger = manip_->getDragger();
+  const SbVec2f mouse = dragger->getEvent()->getNormalizedPosition(dragger->getViewportRegion());
+  SbLine ray;
+  dragger->getViewVolume().projectPointToLine(mouse, ray);
+  const Vector3 direction = pullDirection(*start_, *held_);
+  const Vector3 gaze(ray.getDirection()[0], ray.getDirection()[1], ray.getDirection()[2]);
+  const Vector3 eye(ray.getPosition()[0], ray.getPosition()[1], ray.getPosition()[2]);
+  const double slant = direction.dot(gaze);
+  const double lean = 1 - slant * slant;
+  if (lean < kMinLean) return std::nullopt;
+  // the point of the line through the grip that is nearest to the ray under the mouse
+  const Vector3 offset = eye - grip_;
+  return Vector3(direction * ((offset.dot(direction) - slant * offset.dot(gaze)) / lean));
 }
 
 void Handles::drag() {
   if (!isDragging_ || isCorrecting_) return;
   ShapeFrame frame = *start_;
   frame.setValue(TransformValue::of(*manip_.get()));
-  snap(*start_, frame, toGrid_);
+  if (!held_) {
+    const Sides sides = heldSides(*start_, frame, grip_);
+    if (!sides.isZero()) held_ = seenOf(sides);
+  }
+  if (held_) {
+    frame = *start_;
+    const auto way = held_->isZero() ? std::nullopt : pull();
+    if (way) stretch(frame, *held_, *way, toGrid_);
+  } else if (toGrid_) {
+    snapMove(*start_, frame);
+  }
   isCorrecting_ = true;
   write(*manip_.get(), frame.value());
   isCorrecting_ = false;

@@ -5,6 +5,7 @@
 
 #include "app/editor/SceneDocument.h"
 #include "app/editor/ShapeFrame.h"
+#include "app/editor/handles/Snap.h"
 #include "scenegraph/NodeRef.h"
 
 class SoDragger;
@@ -37,6 +38,10 @@ class Handles : public QObject {
   void beginDrag();
   void drag();
   void endDrag();
+  /// The way that the mouse has pulled the held sides, in W [m]; nothing: not to be told from this point of view.
+  std::optional<Vector3> pull() const;
+  /// The sides whose motion can be seen: from above, height stays as it is.
+  Sides seenOf(Sides sides) const;
   void commit();
 
   SceneDocument& document_;
@@ -47,6 +52,8 @@ class Handles : public QObject {
   bool isAttachPending_ = false;
   bool isCorrecting_ = false;
   std::optional<ShapeFrame> start_;
+  std::optional<Sides> held_;       ///< the sides that are pulled; nothing: the shape is moved, or not yet
+  Vector3 grip_ = Vector3::Zero();  ///< where the mouse took hold, in W [m]
 
   NodeRef<SoHandleBoxManip> manip_;
   NodeRef<SoHandleBoxManip> abandoned_;  ///< taken away in mid-drag: Coin still sends it the mouse

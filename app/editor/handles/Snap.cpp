@@ -9,56 +9,52 @@ namespace {
 
 constexpr double kStill = 1e-5;  // [m] what the dragger's single precision lets a resting side move
 
-struct Span {
-  double low, high;
-  double size() const { return high - low; }
-};
+}  // namespace
 
-/// One axis of a box: which of its sides were dragged, and where they come to lie.
-Span snapped(const Span& start, const Span& drag, bool toGrid) {
-  const bool isLowMoved = std::abs(drag.low - start.low) > kStill;
-  const bool isHighMoved = std::abs(drag.high - start.high) > kStill;
-  const auto onGrid = [toGrid](double value) { return toGrid ? Grid().snapped(value) : value; };
-  if (!isLowMoved && !isHighMoved) return start;
-  if (!isHighMoved) return {std::min(onGrid(drag.low), start.high - ShapeFrame::kMinSize), start.high};
-  if (!isLowMoved) return {start.low, std::max(onGrid(drag.high), start.low + ShapeFrame::kMinSize)};
-  if (std::abs(drag.size() - start.size()) < kStill) {
-    const double low = onGrid(drag.low);
-    return {low, low + start.size()};
-  }
-  const double low = onGrid(drag.low);
-  return {low, std::max(onGrid(drag.high), low + ShapeFrame::kMinSize)};
-}
-
-void snapBox(const ShapeFrame& start, ShapeFrame& drag, const Vector3& startHalf, const Vector3& dragHalf,
-             bool toGrid) {
-  Vector3 size = start.size();
-  Vector3 centre;
+void snapMove(const ShapeFrame& start, ShapeFrame& drag) {
+  const Vector3 half = drag.alignedHalfSize().value_or(Vector3::Zero());
+  const Vector3 from = start.centre();
+  Vector3 centre = drag.centre();
   for (int axis = 0; axis < 3; ++axis) {
-    const double from = start.centre()[axis];
-    const double to = drag.centre()[axis];
-    const Span span =
-        snapped({from - startHalf[axis], from + startHalf[axis]}, {to - dragHalf[axis], to + dragHalf[axis]}, toGrid);
-    centre[axis] = (span.low + span.high) / 2;
-    if (span.size() != 2 * startHalf[axis]) size[start.ownAxisAlong(axis)] = span.size();
+    const bool isMoved = std::abs(centre[axis] - from[axis]) > kStill;
+    centre[axis] = isMoved ? Grid().snapped(centre[axis] - half[axis]) + half[axis] : from[axis];
   }
-  drag.setValue(start.value());
-  if (!size.isApprox(start.size(), 1e-9)) drag.setSize(size);
   drag.setCentre(centre);
 }
 
-}  // namespace
-
-void snap(const ShapeFrame& start, ShapeFrame& drag, bool toGrid) {
-  const auto startHalf = start.alignedHalfSize();
-  const auto dragHalf = drag.alignedHalfSize();
-  if (startHalf && dragHalf) return snapBox(start, drag, *startHalf, *dragHalf, toGrid);
-  const bool isResized = !drag.size().isApprox(start.size(), 1e-4);
-  if (isResized) {
-    drag.setSize(drag.size());
-  } else if (toGrid) {
-    drag.setCentre(Grid().snapped(drag.centre()));
+Sides heldSides(const ShapeFrame& start, const ShapeFrame& drag, const Vector3& grip) {
+  const Vector3 change = drag.size() - start.size();
+  const Vector3 lever = start.directions().transpose() * (grip - start.centre());
+  Sides sides = Sides::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(change[axis]) > kStill) sides[axis] = lever[axis] < 0 ? -1 : 1;
   }
+  return sides;
+}
+
+Vector3 pullDirection(const ShapeFrame& start, const Sides& sides) {
+  return (start.directions() * sides.cwiseProduct(start.size())).normalized();
+}
+
+void stretch(ShapeFrame& shape, const Sides& sides, const Vector3& pull, bool toGrid) {
+  const bool isAligned = shape.alignedHalfSize().has_value();
+  const Matrix3 directions = shape.directions();
+  const Vector3 from = shape.size();
+  Vector3 size = from;
+  Vector3 centre = shape.centre();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (sides[axis] == 0) continue;
+    const Vector3 outwards = sides[axis] * directions.col(axis);
+    size[axis] += outwards.dot(pull);
+    if (toGrid && isAligned) {
+      const double rest = outwards.dot(shape.centre()) - from[axis] / 2;
+      size[axis] = Grid().snapped(rest + size[axis]) - rest;
+    }
+    size[axis] = std::max(size[axis], ShapeFrame::kMinSize);
+    centre += outwards * (size[axis] - from[axis]) / 2;
+  }
+  shape.setSize(size);
+  shape.setCentre(centre);
 }
 
 }  // namespace haptiv

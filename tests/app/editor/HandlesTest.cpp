@@ -144,13 +144,25 @@ TEST(Handles, ResizeWithTheOtherSideAtRest) {
   Handles handles(scene.document);
   ASSERT_TRUE(scene.select("left"));
   MouseFromAbove mouse(scene);
-  mouse.drag(-0.1, 0.0505, -0.1, 0.083);  // the knob on the far face
+  mouse.drag(-0.1, 0.056, -0.1, 0.085);  // the knob on the far face
   letEventsRun();
   const Shape& shape = wall(scene, 0);
   EXPECT_NEAR(shape.centre.y() + shape.axes(1, 1), 0.08, kSingle);
   EXPECT_NEAR(shape.centre.y() - shape.axes(1, 1), -0.05, kSingle);
   EXPECT_NEAR(shape.axes(0, 0), 0.01, kSingle);
-  EXPECT_EQ(scene.document.undoStack().undoText(), "resizing");
+  EXPECT_EQ(scene.document.undoStack().undoText().toStdString(), "resizing");
+}
+
+TEST(Handles, StretchAWallFarBeyondTwiceItsLength) {
+  EditedScene scene(kTwoWalls);
+  Handles handles(scene.document);
+  ASSERT_TRUE(scene.select("left"));
+  MouseFromAbove mouse(scene);
+  mouse.drag(-0.1, -0.056, -0.1, -0.193);
+  letEventsRun();
+  const Shape& shape = wall(scene, 0);
+  EXPECT_NEAR(shape.centre.y() + shape.axes(1, 1), 0.05, kSingle);
+  EXPECT_NEAR(shape.centre.y() - shape.axes(1, 1), -0.19, kSingle);
 }
 
 TEST(Handles, NeverMakeAWallThinnerThanItCanBe) {
@@ -158,7 +170,7 @@ TEST(Handles, NeverMakeAWallThinnerThanItCanBe) {
   Handles handles(scene.document);
   ASSERT_TRUE(scene.select("left"));
   MouseFromAbove mouse(scene);
-  mouse.press(-0.1, 0.0505);
+  mouse.press(-0.1, 0.056);
   for (int y = 50; y > -150; y -= 10) {
     mouse.move(-0.1, y / 1000.0);
     letEventsRun();
