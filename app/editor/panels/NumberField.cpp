@@ -23,8 +23,10 @@ void NumberField::show(double value) {
 }
 
 QString NumberField::textFromValue(double value) const {
-  QString text = locale().toString(value, 'f', decimals());
-  const QString point = locale().decimalPoint();
+  QLocale plain = locale();
+  plain.setNumberOptions(QLocale::OmitGroupSeparator);
+  QString text = plain.toString(value, 'f', decimals());
+  const QString point = plain.decimalPoint();
   if (!text.contains(point)) return text;
   while (text.endsWith('0')) text.chop(1);
   if (text.endsWith(point)) text.chop(point.size());

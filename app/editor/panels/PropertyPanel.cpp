@@ -1,6 +1,5 @@
 #include "app/editor/panels/PropertyPanel.h"
 
-#include <QGroupBox>
 #include <QVBoxLayout>
 
 #include "app/editor/Edits.h"
@@ -13,7 +12,7 @@ bool isShape(const SceneItem& item) {
   return item.kind != SceneItem::Kind::tool && item.kind != SceneItem::Kind::device;
 }
 
-QWidget* section(const QString& title, QWidget* form) {
+QGroupBox* section(const QString& title, QWidget* form) {
   auto* box = new QGroupBox(title);
   auto* layout = new QVBoxLayout(box);
   layout->addWidget(form);
@@ -92,6 +91,7 @@ void PropertyPanel::showItem(const std::vector<SceneItem>& items, const SceneIte
   kind_->setText(kindName(item.kind));
   kind_->setVisible(item.name != kindName(item.kind));
   hint_->setVisible(false);
+  feelSection_->setTitle(isShape(item) ? "Feel" : "Settings");
   if (!isShape(item)) {
     feel_->show(item.node);
     feelSection_->setVisible(true);

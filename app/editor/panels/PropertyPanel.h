@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QCheckBox>
+#include <QGroupBox>
 #include <QLabel>
 #include <QScrollArea>
 
@@ -32,7 +33,7 @@ class PropertyPanel : public QScrollArea {
   QLabel* kind_ = nullptr;
   QLabel* hint_ = nullptr;
   QCheckBox* onlyThis_ = nullptr;
-  QWidget* feelSection_ = nullptr;
+  QGroupBox* feelSection_ = nullptr;
   QWidget* placeSection_ = nullptr;
   FieldForm* feel_ = nullptr;
   PlaceForm* place_ = nullptr;

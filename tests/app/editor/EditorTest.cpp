@@ -106,43 +106,5 @@ TEST_F(EditorInAWindow, SelectsWhatIsClicked) {
   EXPECT_EQ(item->name, "left");
 }
 
-// SHOT
-TEST_F(EditorInAWindow, ZZShot) {
-  window.resize(1280, 720);
-  editor.sceneTree()->setParent(&window);
-  editor.diagnosticsList()->setParent(&window);
-  window.show();
-  view->setGeometry(280, 0, 720, 720);
-  editor.propertyPanel()->setGeometry(1000, 0, 280, 720);
-  editor.sceneTree()->setGeometry(0, 0, 280, 400);
-  editor.diagnosticsList()->setGeometry(0, 400, 280, 200);
-  for (auto* w : {editor.propertyPanel(), editor.sceneTree(), editor.diagnosticsList()}) w->show();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
-  editor.addWall()->trigger();
-  editor.addDampingZone()->trigger();
-  editor.addSpringZone()->trigger();
-  QTest::qWait(300);
-  view->setScene(scene.document.root(), true);
-  view->viewFromAbove();
-  view->viewAll();
-  QTest::qWait(300);
-  printf("%f %f\n", view->toWidget({-0.1, 0, 0}).x(), view->toWidget({0.1, 0, 0}).x());
-  window.grab().save("/tmp/ed_spring.png");
-  view->grabImage().save("/tmp/ed_view_above.png");
-  scene.select("left");
-  QTest::qWait(600);
-  window.grab().save("/tmp/ed_wall.png");
-  view->grabImage().save("/tmp/ed_view_left.png");
-  view->viewFreely();
-  QTest::qWait(600);
-  view->grabImage().save("/tmp/ed_view_free.png");
-  scene.select("ball");
-  QTest::qWait(100);
-  window.grab().save("/tmp/ed_tool.png");
-  scene.document.select(nullptr);
-  QTest::qWait(100);
-  window.grab().save("/tmp/ed_none.png");
-}
-// SHOTEND
 }  // namespace
 }  // namespace haptiv
