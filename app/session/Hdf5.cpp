@@ -66,6 +66,7 @@ void fail(const std::filesystem::path& file, std::string_view what, std::string_
 Handle createFile(const std::filesystem::path& path) {
   const Handle access = accessList(path);
   const Handle creation(checked(H5Pcreate(H5P_FILE_CREATE), path, "set up HDF5", ""), H5Pclose);
+  checked(H5Pset_obj_track_times(creation.id(), false), path, "leave out times", "");
   checked(H5Pset_file_space_strategy(creation.id(), H5F_FSPACE_STRATEGY_PAGE, false, 1), path, "choose paging", "");
   checked(H5Pset_file_space_page_size(creation.id(), kPageSize), path, "choose the page size", "");
   return {checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), path, "create the session log",

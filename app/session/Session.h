@@ -67,7 +67,8 @@ class Session {
 };
 
 /// The same without thread and clock: as fast as the machine allows, for `seconds` of session time; same setup, same
-/// bytes of data. Throws as Session does, and where the disk becomes full.
+/// bytes of data (of the whole log but HDF5's superblock, which holds the time of its making). Throws as Session does,
+/// and where the disk becomes full.
 SessionSummary runFast(const SessionSetup& setup, double seconds);
 
 }  // namespace haptiv
