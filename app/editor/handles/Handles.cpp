@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "app/editor/Edits.h"
+#include "app/editor/handles/HandleLook.h"
 #include "app/editor/handles/Snap.h"
 
 namespace haptiv {
@@ -79,6 +80,7 @@ void Handles::attach() {
     parent_->replaceChild(index_, wrapper.get());
   }
   SoDragger* dragger = manip_->getDragger();
+  dressHandles(*dragger, frame->size() / 2);
   dragger->addStartCallback([](void* self, SoDragger*) { static_cast<Handles*>(self)->beginDrag(); }, this);
   dragger->addMotionCallback([](void* self, SoDragger*) { static_cast<Handles*>(self)->drag(); }, this);
   dragger->addFinishCallback([](void* self, SoDragger*) { static_cast<Handles*>(self)->endDrag(); }, this);

@@ -61,8 +61,7 @@ void PropertyPanel::build() {
   feelSection_ = section("Feel", feel_);
   place_ = new PlaceForm;
   placeSection_ = section("Place and size", place_);
-  for (QWidget* widget : {static_cast<QWidget*>(name_), static_cast<QWidget*>(kind_), feelSection_,
-                          static_cast<QWidget*>(hint_), static_cast<QWidget*>(onlyThis_), placeSection_}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{name_, kind_, feelSection_, hint_, onlyThis_, placeSection_}) {
     layout->addWidget(widget);
   }
   layout->addStretch();
@@ -76,8 +75,7 @@ void PropertyPanel::build() {
 void PropertyPanel::refresh() {
   const std::vector<SceneItem> items = listScene(document_.root());
   const SceneItem* item = findItem(items, document_.selection());
-  for (QWidget* widget :
-       {static_cast<QWidget*>(kind_), static_cast<QWidget*>(onlyThis_), feelSection_, placeSection_}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{kind_, onlyThis_, feelSection_, placeSection_}) {
     widget->setVisible(false);
   }
   if (item) return showItem(items, *item);
