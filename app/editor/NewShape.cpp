@@ -103,7 +103,10 @@ NodeRef<SoNode> make(const char* word, const QString& label) {
 
 NewShape newShape(const SceneDocument& document, SceneItem::Kind kind) {
   const Recipe recipe = recipeOf(kind);
-  const HapticScene scene = document.compiled().scene ? *document.compiled().scene : HapticScene();
+  // The document's own compilation may be older than its graph, by the edits of this turn of the event loop.
+  auto compiled = SceneCompiler().compile(document.root()).scene;
+  if (!compiled) compiled = document.compiled().scene;
+  const HapticScene scene = compiled ? *compiled : HapticScene();
   const Vector3 size = kind == SceneItem::Kind::wall ? sizeLike(scene.walls, recipe.size) : recipe.size;
 
   NewShape made;

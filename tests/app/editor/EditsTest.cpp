@@ -140,6 +140,18 @@ TEST(AddShape, PutsWallsOnTheGridClearOfTheBallAndOfEachOther) {
   }
 }
 
+TEST(AddShape, SeesWhatWasAddedInTheSameTurn) {
+  EditedScene scene(kTwoWalls);
+  addShape(scene.document, SceneItem::Kind::dampingZone);
+  addShape(scene.document, SceneItem::Kind::springZone);
+  letEventsRun();
+  const auto& zones = scene.document.compiled().scene->zones;
+  ASSERT_EQ(zones.size(), 2u);
+  const Vector3 gap = (zones[0].shape.centre - zones[1].shape.centre).cwiseAbs() - zones[0].shape.axes.diagonal() -
+                      zones[1].shape.axes.diagonal();
+  EXPECT_GT(gap.maxCoeff(), -1e-6) << "they touch at most";
+}
+
 TEST(AddShape, GivesEachItsOwnLabelAndSelectsIt) {
   EditedScene scene(kTwoWalls);
   addShape(scene.document, SceneItem::Kind::wall);
