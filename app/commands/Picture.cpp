@@ -1,5 +1,6 @@
 #include "app/commands/Picture.h"
 
+#include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
 
@@ -30,7 +31,15 @@ QImage drawSession(const LoadedScene& loaded, const TickRecord& record) {
 }
 
 void savePicture(const QImage& picture, const std::string& path) {
-  QSaveFile file(QString::fromStdString(path));
+  const QString name = QString::fromStdString(path);
+  const QFileInfo target(name);
+  if (target.exists() && !target.isFile()) {  // a device or a pipe is written to, never replaced
+    QFile special(name);
+    if (!special.open(QIODevice::WriteOnly) || !picture.save(&special, "PNG") || !special.flush())
+      refuse(path, special.errorString().toStdString());
+    return;
+  }
+  QSaveFile file(name);
   file.setDirectWriteFallback(true);  // folders in which only this file may be written
   if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit())
     refuse(path, file.errorString().toStdString());

@@ -117,8 +117,9 @@ std::string Report::toText() const {
   std::string table;
   for (const auto& [name, item] : items_) {
     const auto [label, unit] = labelAndUnit(name);
-    table += "  " + label + std::string(width - label.size() + 3, ' ');
-    table += std::visit(ReportWriter::Text{kDigits, unit}, item) + "\n";
+    const std::string value = std::visit(ReportWriter::Text{kDigits, unit}, item);
+    const bool below = value.starts_with('\n');  // rows of a matrix
+    table += "  " + label + (below ? "" : std::string(width - label.size() + 3, ' ')) + value + "\n";
   }
   return table;
 }

@@ -55,7 +55,7 @@ TEST(Check, CountsWhatIsFelt) {
 }
 
 TEST(Check, NamesTheLineOfASyntaxError) {
-  expectErrors("#Inventor V2.1 ascii\nSeparator {\n  Cube { width }\n}\n", 0);
+  expectErrors("#Inventor V2.1 ascii\nSeparator {\n  Cube { width }\n}\n", 3);
 }
 
 TEST(Check, NamesTheLineOfANegativeStiffness) {
@@ -81,8 +81,8 @@ TEST(Check, FindsAHomeOutOfTheArmsReach) {
 }
 
 TEST(Check, RefusesWhatIsNoScene) {
-  expectErrors("this is a letter to a friend\n", 0);
-  expectErrors("", 0);
+  expectErrors("this is a letter to a friend\n", 1);
+  expectErrors("", 1);
   const Ended ended = runHaptiv({"check", "/dev"});
   EXPECT_EQ(ended.code, 3);
   EXPECT_THAT(ended.err, HasSubstr("folder"));

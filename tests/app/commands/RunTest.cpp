@@ -1,9 +1,12 @@
+#include <fcntl.h>
 #include <gmock/gmock.h>
-#include <QImage>
-#include <csignal>
-#include <fstream>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <QImage>
+#include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <set>
 #include <thread>
 
@@ -131,15 +134,29 @@ TEST_F(Run, DrawsAPictureWithoutADisplay) {
 }
 
 TEST_F(Run, APictureThatCannotBeWrittenIsAFailureBeforeOrAfterTheSession) {
-  for (const std::string& path : {folder / "no/such/folder/end.png", folder / "", std::string("/dev/full")}) {
+  for (const std::string& path : {folder / "no/such/folder/end.png", folder / "", folder.fullDevice()}) {
     const Ended ended = run({"--fast", "--picture", path});
     EXPECT_EQ(ended.code, 3) << path;
     EXPECT_THAT(ended.err, HasSubstr("picture")) << path;
   }
 }
 
+TEST_F(Run, APictureIsWrittenIntoAPipeAndDoesNotReplaceIt) {
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  ASSERT_GT(fcntl(reader, F_SETPIPE_SZ, 1 << 20), 0);  // [bytes] more than the picture has
+  EXPECT_EQ(run({"--fast", "--picture", pipe}).code, 0);
+  std::string head(8, ' ');
+  EXPECT_EQ(read(reader, head.data(), head.size()), 8);
+  EXPECT_EQ(head, "\x89PNG\r\n\x1a\n");
+  close(reader);
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+}
+
 TEST_F(Run, ALogThatCannotBeWrittenIsAFailure) {
-  for (const std::string& path : {folder / "no/such/folder/s.h5", std::string("/dev/full")}) {
+  for (const std::string& path : {folder / "no/such/folder/s.h5", folder.fullDevice()}) {
     for (const bool fast : {true, false}) {
       std::vector<std::string> more = {"--seconds", "1", "--log", path};
       if (fast) more.push_back("--fast");

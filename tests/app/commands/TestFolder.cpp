@@ -1,5 +1,9 @@
 #include "tests/app/commands/TestFolder.h"
 
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -16,6 +20,13 @@ std::filesystem::path makeFolder() {
 std::string readFile(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string TestFolder::fullDevice() const {
+  const std::string own = path_ / "full";
+  if (geteuid() != 0) return "/dev/full";
+  if (std::filesystem::exists(own) || mknod(own.c_str(), S_IFCHR | 0666, makedev(1, 7)) == 0) return own;
+  throw std::runtime_error(own + ": a device cannot be made");
 }
 
 std::string TestFolder::write(const std::string& name, const std::string& text) const {

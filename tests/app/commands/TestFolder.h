@@ -21,6 +21,9 @@ class TestFolder {
 
   /// Path of a file in it.
   std::string operator/(const std::string& name) const { return path_ / name; }
+  /// A device on which nothing can be written: "no space left". Root gets one of its own in this folder, because root
+  /// could replace the machine's; for others that of the machine is safe.
+  std::string fullDevice() const;
   /// Writes a file and gives its path.
   std::string write(const std::string& name, const std::string& text) const;
 
