@@ -1,5 +1,6 @@
 #include "app/view/ForceArrow.h"
 
+#include <Inventor/nodes/SoAnnotation.h>
 #include <Inventor/nodes/SoMaterial.h>
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace haptiv {
 
 ForceArrow::ForceArrow(const SbColor& color, double thickness)
     : thickness_(thickness),
-      root_(new SoSeparator),
+      root_(new SoAnnotation),
       shown_(new SoSwitch),
       place_(new SoTransform),
       toShaft_(new SoTranslation),

@@ -13,7 +13,8 @@
 
 namespace haptiv {
 
-/// An arrow that starts at the ball's surface and points along a force. Thread: GUI.
+/// An arrow that starts at the ball's surface and points along a force. Drawn over all else: the arm and walls do not
+/// hide what the hand feels. Thread: GUI.
 class ForceArrow {
  public:
   static constexpr double kMetresPerNewton = 0.005;
