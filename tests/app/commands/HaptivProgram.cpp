@@ -10,8 +10,6 @@
 #include <string_view>
 #include <thread>
 
-#include "tests/app/commands/TestFolder.h"
-
 extern char** environ;
 
 namespace haptiv {
@@ -39,12 +37,11 @@ std::vector<std::string> environmentWithoutDisplay() {
 
 }  // namespace
 
-HaptivProgram::HaptivProgram(const std::vector<std::string>& arguments, const std::string& stdoutPath)
-    : folder_(makeFolder()) {
+HaptivProgram::HaptivProgram(const std::vector<std::string>& arguments, const std::string& stdoutPath) {
   std::vector<std::string> words = {HAPTIV_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = environmentWithoutDisplay();
-  const std::string out = stdoutPath.empty() ? (folder_ / "out").string() : stdoutPath;
+  const std::string out = stdoutPath.empty() ? folder_ / "out" : stdoutPath;
   const std::string err = folder_ / "err";
 
   posix_spawn_file_actions_t files;
@@ -63,7 +60,6 @@ HaptivProgram::~HaptivProgram() {
     kill(process_, SIGKILL);
     waitpid(process_, nullptr, 0);
   }
-  std::filesystem::remove_all(folder_);
 }
 
 void HaptivProgram::send(int signal) const {

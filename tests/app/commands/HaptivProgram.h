@@ -2,10 +2,11 @@
 
 #include <sys/types.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "tests/app/commands/TestFolder.h"
 
 namespace haptiv {
 
@@ -33,7 +34,7 @@ class HaptivProgram {
   Ended wait();
 
  private:
-  std::filesystem::path folder_;  // of what it prints
+  TestFolder folder_;  // of what it prints
   pid_t process_ = -1;
 };
 
