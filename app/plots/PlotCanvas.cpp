@@ -72,7 +72,7 @@ QColor curveColour(const QString& name, int index) {
   if (name == "x") return red;
   if (name == "y") return green;
   if (name == "z") return blue;
-  static const std::array<QColor, 5> kOthers = {QColor(0xd3, 0x6b, 0x0d), QColor(0x1f, 0x77, 0x8d),
+  static const std::array<QColor, 5> kOthers = {QColor(0xd0, 0x24, 0x36), QColor(0x21, 0x73, 0xdb),
                                                 QColor(0x7a, 0x4f, 0xa3), QColor(0x6b, 0x6f, 0x14),
                                                 QColor(0x44, 0x4a, 0x50)};
   return kOthers[static_cast<std::size_t>(index) % kOthers.size()];
