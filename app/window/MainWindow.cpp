@@ -70,6 +70,7 @@ void MainWindow::connectParts() {
     }
   });
   connect(p.view, &SceneView::fromAboveChanged, p.fromAbove, &QAction::setChecked);
+  connect(p.fromAbove, &QAction::triggered, p.view, &SceneView::viewAll);
   connect(p.showAll, &QAction::triggered, p.view, &SceneView::viewAll);
   connect(p.showArm, &QAction::toggled, this, [this](bool visible) {
     parts_->view->overlay().setArmVisible(visible);
