@@ -1,3 +1,5 @@
 #include "app/commands/CommandLine.h"
 
-int main(int argc, char** argv) { return haptiv::runCommandLine(argc, argv); }
+int main(int argc, char** argv) {
+  return haptiv::runCommandLine(argc, argv);
+}

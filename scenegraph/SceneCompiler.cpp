@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "haptics/ShapeDistance.h"
-#include "scenegraph/SceneCollector.h"
+#include "scenegraph/compiling/SceneCollector.h"
 #include "scenegraph/nodes/SoHapticTool.h"
 
 namespace haptiv {

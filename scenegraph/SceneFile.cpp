@@ -10,13 +10,13 @@
 #include <fstream>
 #include <system_error>
 
-#include "scenegraph/CoinMessages.h"
-#include "scenegraph/GraphWalk.h"
 #include "scenegraph/Keyword.h"
-#include "scenegraph/RefusedText.h"
-#include "scenegraph/SceneScan.h"
-#include "scenegraph/ShapeIndices.h"
 #include "scenegraph/nodes/HapticNodes.h"
+#include "scenegraph/reading/CoinMessages.h"
+#include "scenegraph/reading/GraphWalk.h"
+#include "scenegraph/reading/RefusedText.h"
+#include "scenegraph/reading/SceneScan.h"
+#include "scenegraph/reading/ShapeIndices.h"
 
 namespace haptiv {
 namespace {

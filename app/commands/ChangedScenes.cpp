@@ -27,18 +27,22 @@ std::set<SoNode*> nodesCalled(SoNode* root, const std::string& name) {
   return nodes;
 }
 
-// False: the scene has no node of this name.
+// False: the scene has no node of this name. A Separator and the surface in it may bear the same one: the field
+// decides.
 bool apply(SoNode* root, const PropertyChange& change) {
   const std::set<SoNode*> nodes = nodesCalled(root, change.node);
+  const std::string what = "--set " + change.node + "." + change.field + "=" + change.value + ": ";
+  bool applied = false;
   for (SoNode* node : nodes) {
     SoField* field = node->getField(change.field.c_str());
-    const std::string what = "--set " + change.node + "." + change.field + "=" + change.value + ": ";
-    if (!field)
-      throw CommandFailure(kWrongUsage, what + "a " + node->getTypeId().getName().getString() +
-                                            " has no such field; docs/nodes.md lists its fields");
+    if (!field) continue;
     if (!field->set(change.value.c_str())) throw CommandFailure(kWrongUsage, what + "this is no value of that field");
+    applied = true;
   }
-  return !nodes.empty();
+  if (!nodes.empty() && !applied)
+    throw CommandFailure(kWrongUsage, what + "a " + (*nodes.begin())->getTypeId().getName().getString() +
+                                          " has no such field; docs/nodes.md lists its fields");
+  return applied;
 }
 
 // Reads and compiles; through the text, so that a changed scene is judged as a file is.

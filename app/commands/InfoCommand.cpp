@@ -4,7 +4,7 @@
 #include "app/commands/LoadedScene.h"
 #include "app/commands/Report.h"
 #include "app/commands/SessionReport.h"
-#include "app/session/SessionLog.h"
+#include "app/session/log/SessionLog.h"
 #include "device/DeviceDescription.h"
 
 namespace haptiv {

@@ -12,7 +12,8 @@ namespace haptiv {
 /// Throws std::runtime_error naming what the machine lacks.
 QImage drawSession(const LoadedScene& loaded, const TickRecord& record);
 
-/// Writes a PNG, wholly or not at all; into a device or pipe, in place. Throws CommandFailure (kCouldNot) that says why it could not.
+/// Writes a PNG, wholly or not at all; into a device or pipe, in place. Throws CommandFailure (kCouldNot) that says why
+/// it could not.
 void savePicture(const QImage& picture, const std::string& path);
 
 /// Throws CommandFailure (kCouldNot) where a file of this name plainly cannot be written: known before a long session

@@ -8,9 +8,9 @@
 #include "app/commands/Report.h"
 #include "app/commands/SessionReport.h"
 #include "app/commands/WindowCommand.h"
-#include "app/session/LogExport.h"
 #include "app/session/Resimulation.h"
-#include "app/session/SessionLog.h"
+#include "app/session/log/LogExport.h"
+#include "app/session/log/SessionLog.h"
 
 namespace haptiv {
 namespace {

@@ -1,13 +1,12 @@
 #include "app/editor/EditorIcons.h"
 
-#include <QPainter>
 #include <QPainterPath>
+
+#include "app/view/StrokeIcon.h"
 
 namespace haptiv {
 namespace {
 
-constexpr int kSide = 48;  // drawn large, shown at any size
-const QColor kInk(70, 78, 90);
 const QColor kBlue(52, 128, 214);
 const QColor kOrange(226, 140, 38);
 
@@ -45,7 +44,7 @@ void drawSpring(QPainter& painter) {
 
 void drawTurn(QPainter& painter, bool toTheLeft) {
   if (!toTheLeft) {
-    painter.translate(kSide, 0);
+    painter.translate(kIconSide, 0);
     painter.scale(-1, 1);
   }
   painter.setBrush(Qt::NoBrush);
@@ -80,36 +79,29 @@ void drawGrid(QPainter& painter) {
 }  // namespace
 
 QIcon editorIcon(EditorIcon icon) {
-  QPixmap pixmap(kSide, kSide);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(kInk, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   switch (icon) {
     case EditorIcon::wall:
-      drawWall(painter);
-      break;
+      return strokeIcon(drawWall);
     case EditorIcon::dampingZone:
-      drawZone(painter, kBlue), drawWaves(painter);
-      break;
+      return strokeIcon([](QPainter& painter) {
+        drawZone(painter, kBlue);
+        drawWaves(painter);
+      });
     case EditorIcon::springZone:
-      drawZone(painter, kOrange), drawSpring(painter);
-      break;
+      return strokeIcon([](QPainter& painter) {
+        drawZone(painter, kOrange);
+        drawSpring(painter);
+      });
     case EditorIcon::remove:
-      drawBin(painter);
-      break;
+      return strokeIcon(drawBin);
     case EditorIcon::undo:
-      drawTurn(painter, true);
-      break;
+      return strokeIcon([](QPainter& painter) { drawTurn(painter, true); });
     case EditorIcon::redo:
-      drawTurn(painter, false);
-      break;
+      return strokeIcon([](QPainter& painter) { drawTurn(painter, false); });
     case EditorIcon::grid:
-      drawGrid(painter);
-      break;
+      return strokeIcon(drawGrid);
   }
-  painter.end();
-  return QIcon(pixmap);
+  return {};
 }
 
 }  // namespace haptiv

@@ -2,7 +2,7 @@
 
 #include <QLabel>
 
-#include "app/session/SessionLog.h"
+#include "app/session/log/SessionLog.h"
 
 namespace haptiv {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "app/session/TickColumns.h"
+#include "app/session/log/TickColumns.h"
 #include "haptics/HapticTick.h"
 
 namespace haptiv {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/session/HandFile.h"
-#include "app/session/SessionLogWriter.h"
+#include "app/session/log/SessionLogWriter.h"
 #include "haptics/HapticScene.h"
 #include "haptics/ServoLoop.h"
 

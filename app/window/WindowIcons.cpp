@@ -1,13 +1,12 @@
 #include "app/window/WindowIcons.h"
 
-#include <QPainter>
 #include <QPainterPath>
+
+#include "app/view/StrokeIcon.h"
 
 namespace haptiv {
 namespace {
 
-constexpr int kSide = 48;  // drawn large, shown at any size
-const QColor kInk(70, 78, 90);
 const QColor kAccent(226, 112, 38);
 
 // A ball and the arrow that pulls it.
@@ -60,30 +59,19 @@ void drawArm(QPainter& painter) {
 }  // namespace
 
 QIcon iconOf(WindowIcon icon) {
-  QPixmap pixmap(kSide, kSide);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(kInk, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   switch (icon) {
     case WindowIcon::hand:
-      drawHand(painter);
-      break;
+      return strokeIcon(drawHand);
     case WindowIcon::select:
-      drawPointer(painter);
-      break;
+      return strokeIcon(drawPointer);
     case WindowIcon::fromAbove:
-      drawFromAbove(painter);
-      break;
+      return strokeIcon(drawFromAbove);
     case WindowIcon::showAll:
-      drawShowAll(painter);
-      break;
+      return strokeIcon(drawShowAll);
     case WindowIcon::arm:
-      drawArm(painter);
-      break;
+      return strokeIcon(drawArm);
   }
-  painter.end();
-  return QIcon(pixmap);
+  return {};
 }
 
 }  // namespace haptiv

@@ -76,7 +76,7 @@ TEST(Layers, QtStaysInApp) {
 
 TEST(Layers, Hdf5StaysInTheSessionLog) {
   for (const char* folder : {"device", "haptics", "scenegraph"}) expectNoInclude(folder, kHdf5);
-  expectNoInclude("app", kHdf5, "^app/session/");
+  expectNoInclude("app", kHdf5, "^app/session/log/");
 }
 
 TEST(Layers, LibusbStaysInTheUsbTransport) {

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <thread>
 
-#include "app/session/LogProbe.h"
+#include "app/session/log/LogProbe.h"
 #include "tests/session/SessionFixtures.h"
 
 namespace haptiv {

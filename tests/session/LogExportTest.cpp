@@ -1,4 +1,4 @@
-#include "app/session/LogExport.h"
+#include "app/session/log/LogExport.h"
 
 #include <gmock/gmock.h>
 

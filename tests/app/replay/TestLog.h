@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "app/session/SessionLog.h"
+#include "app/session/log/SessionLog.h"
 
 namespace haptiv {
 

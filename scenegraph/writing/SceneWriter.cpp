@@ -1,0 +1,88 @@
+#include <Inventor/SoOutput.h>
+#include <Inventor/actions/SoWriteAction.h>
+#include <Inventor/draggers/SoDragger.h>
+#include <Inventor/fields/SoField.h>
+#include <Inventor/lists/SoFieldList.h>
+#include <Inventor/manips/SoClipPlaneManip.h>
+#include <Inventor/manips/SoDirectionalLightManip.h>
+#include <Inventor/manips/SoPointLightManip.h>
+#include <Inventor/manips/SoSpotLightManip.h>
+#include <Inventor/manips/SoTransformManip.h>
+
+#include <array>
+#include <cstdlib>
+#include <stdexcept>
+#include <string_view>
+
+#include "scenegraph/Keyword.h"
+#include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/GraphWalk.h"
+
+namespace haptiv {
+namespace {
+
+bool isHandle(const SoNode* node) {
+  for (const SoType type : {SoDragger::getClassTypeId(), SoTransformManip::getClassTypeId(),
+                            SoPointLightManip::getClassTypeId(), SoSpotLightManip::getClassTypeId(),
+                            SoDirectionalLightManip::getClassTypeId(), SoClipPlaneManip::getClassTypeId()}) {
+    if (node->isOfType(type)) return true;
+  }
+  return false;
+}
+
+/// Whether a field holds floating-point numbers, of which "nan" and "inf" cannot be read back.
+bool holdsFloats(const SoField& field) {
+  static constexpr std::array<std::string_view, 9> kKinds = {"Float", "Double", "Vec2",  "Vec3",    "Vec4",
+                                                             "Color", "Matrix", "Plane", "Rotation"};
+  const std::string_view type = field.getTypeId().getName().getString();
+  for (const std::string_view kind : kKinds) {
+    if (type.find(kind) != std::string_view::npos) return true;
+  }
+  return type.find("Time") != std::string_view::npos;
+}
+
+void checkNumbers(const SoNode* node) {
+  SoFieldList fields;
+  const int count = node->getFields(fields);
+  for (int i = 0; i < count; ++i) {
+    const SoField& field = *fields[i];
+    if (field.isDefault() || !holdsFloats(field)) continue;
+    SbString text;
+    const_cast<SoField&>(field).get(text);
+    if (std::string_view(text.getString()).find('n') == std::string_view::npos) continue;  // of nan, inf
+    SbName name;
+    node->getFieldName(&field, name);
+    throw std::runtime_error(describe(node) + ": " + name.getString() +
+                             " holds a number that is not finite, which a scene file cannot hold: correct it first");
+  }
+}
+
+/// What SoOutput writes to, growing as it must.
+struct Buffer {
+  explicit Buffer(SoOutput& output) { output.setBuffer(std::malloc(kFirst), kFirst, &std::realloc); }
+  static constexpr std::size_t kFirst = 1 << 16;
+};
+
+}  // namespace
+
+std::string writeSceneText(SoNode* root) {
+  for (const SoNode* node : writtenNodes(root)) {
+    if (isHandle(node)) {
+      throw std::runtime_error(describe(node) +
+                               " is a handle for editing, not a part of the scene: let go of it first");
+    }
+    checkNumbers(node);
+  }
+  SoOutput output;
+  const Buffer buffer(output);
+  SoWriteAction action(&output);
+  action.apply(root);
+  void* bytes = nullptr;
+  std::size_t size = 0;
+  output.getBuffer(bytes, size);
+  std::string text(static_cast<const char*>(bytes), size);
+  std::free(bytes);
+  return text;
+}
+
+}  // namespace haptiv
