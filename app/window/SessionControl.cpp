@@ -70,7 +70,8 @@ const Scheduling& SessionControl::scheduling() const {
 
 void SessionControl::start() {
   if (isRunning()) return;
-  if (hasErrors(parts_->document.diagnostics()) || !parts_->document.compiled().scene) {
+  const CompiledScene& compiled = parts_->document.compiled();
+  if (hasErrors(compiled.diagnostics) || !compiled.scene) {
     emit failed(tr("The scene has errors; mend them first. The list of problems names them."));
     return;
   }

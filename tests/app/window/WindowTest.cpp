@@ -249,6 +249,8 @@ TEST_F(Window, ABrokenSceneIsToldAndTheOldOneStays) {
   EXPECT_TRUE(box.text().contains("broken.iv:2")) << box.text().toStdString();
   box.accept();
   EXPECT_EQ(document().compiled().scene->walls.size(), 1u);
+  clickButton("startAction");
+  EXPECT_TRUE(waitFor([&] { return find<QAction>("stopAction").isEnabled(); })) << "the old one cannot be felt";
 }
 
 }  // namespace
