@@ -7,6 +7,7 @@
 
 #include "device/JointLimiter.h"
 #include "device/RedundancyResolution.h"
+#include "haptics/DeviceFrames.h"
 #include "haptics/FreeMotion.h"
 #include "haptics/Zones.h"
 
@@ -17,14 +18,6 @@ namespace {
 std::int32_t lastCount(double range, double resolution) {
   constexpr double kLargest = std::numeric_limits<std::int16_t>::max();
   return static_cast<std::int32_t>(std::min(std::floor(range / resolution), kLargest));
-}
-
-Vector3 inScene(const DevicePlacement& device, const Vector3& p_BT) noexcept {
-  return device.position + device.scale * (device.rotation * p_BT);
-}
-
-Vector3 inBase(const DevicePlacement& device, const Vector3& p_WT) noexcept {
-  return device.rotation.transpose() * (p_WT - device.position) / device.scale;
 }
 
 bool isFinite(const TickState& state, const TickRecord& record) noexcept {
@@ -60,7 +53,7 @@ HapticTick::Measured HapticTick::measure(const HapticScene& scene, const DeviceR
   Measured measured;
   measured.angles = description_.jointAngles(reading);
   measured.X_BT = arm_.forward(measured.angles);
-  measured.p_WT = inScene(scene.device, measured.X_BT.position);
+  measured.p_WT = placeInScene(scene.device, measured.X_BT.position);
   const Vector3 force_B = measured.X_BT.rotation * description_.handleWrench(reading).force;
   measured.handForce = scene.device.rotation * force_B;
   return measured;
@@ -102,7 +95,7 @@ void HapticTick::move(const HapticScene& scene, const Measured& measured, TickSt
       measured.handForce + record.environmentForce + freeMotionForce(ball.velocity, state.contacts, scene.tool.damping);
   const Vector3 velocity = nextVelocity(ball, force, scene.tool.mass, period_);
 
-  const Pose wanted{inBase(device, ball.position), state.heldRotation};
+  const Pose wanted{placeInBase(device, ball.position), state.heldRotation};
   Vector6 twist = driftCorrection(wanted, arm_.forward(state.desiredAngles), description_.control.driftGain);
   twist.head<3>() += device.rotation.transpose() * velocity / device.scale;
   const JointVector rates = leastNormRates(arm_.jacobian(state.desiredAngles), twist, description_.control);

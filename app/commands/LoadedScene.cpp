@@ -9,6 +9,7 @@
 
 #include "app/commands/ExitCode.h"
 #include "device/Vishard10.h"
+#include "haptics/DeviceFrames.h"
 #include "scenegraph/nodes/SoHapticDevice.h"
 #include "scenegraph/nodes/SoHapticTool.h"
 
@@ -28,7 +29,7 @@ int lineOf(const SceneFile& file) {
 
 bool inReach(const HapticScene& scene, const DeviceDescription& device) {
   const DevicePlacement& placed = scene.device;
-  const Vector3 p_BT = placed.rotation.transpose() * (scene.tool.home - placed.position) / placed.scale;
+  const Vector3 p_BT = placeInBase(placed, scene.tool.home);
   const Vishard10 arm(device.links);
   return (arm.forward(arm.inverse(p_BT, device.homeAngles)).position - p_BT).norm() < kReachTolerance;
 }

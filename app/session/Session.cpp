@@ -8,6 +8,7 @@
 #include "app/session/LiveHand.h"
 #include "app/session/SessionRecorder.h"
 #include "app/session/SessionSeat.h"
+#include "haptics/DeviceFrames.h"
 
 namespace haptiv {
 namespace {

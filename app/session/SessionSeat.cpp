@@ -7,6 +7,7 @@
 #include "app/version.h"
 #include "device/Vishard10.h"
 #include "device/simulated/ScriptedHand.h"
+#include "haptics/DeviceFrames.h"
 
 namespace haptiv {
 namespace {
@@ -29,10 +30,6 @@ void expectUsable(const SessionSetup& setup) {
   if (setup.description.text.empty())
     throw std::runtime_error(setup.log->string() + ": a log needs the text of the device description: load it from a " +
                              "file with loadDeviceDescription");
-}
-
-Vector3 placeInBase(const DevicePlacement& placement, const Vector3& p_WX) {
-  return placement.rotation.transpose() * (p_WX - placement.position) / placement.scale;
 }
 
 std::unique_ptr<HandSource> scriptedHand(const SessionSetup& setup) {

@@ -13,9 +13,6 @@ namespace haptiv {
 /// do. Touches nothing.
 void expectUsable(const SessionSetup& setup);
 
-/// p_BX of a place p_WX [m].
-Vector3 placeInBase(const DevicePlacement& placement, const Vector3& p_WX);
-
 /// The hand of the set-up's file, in B.
 std::unique_ptr<HandSource> scriptedHand(const SessionSetup& setup);
 

@@ -10,6 +10,7 @@
 #include "app/view/ArmFigure.h"
 #include "app/view/CoinValues.h"
 #include "app/view/ForceArrow.h"
+#include "haptics/DeviceFrames.h"
 
 namespace haptiv {
 
@@ -70,7 +71,7 @@ void HapticOverlay::setUp(const HapticScene& scene, const DeviceDescription& des
   parts_->handArrow.setBallRadius(tool.radius);
   parts_->arm.setUp(device, description.links);
 
-  const Vector3 p_BT = device.rotation.transpose() * (tool.home - device.position) / device.scale;
+  const Vector3 p_BT = placeInBase(device, tool.home);
   TickRecord atHome;
   atHome.position = tool.home;
   atHome.jointAngles = Vishard10(description.links).inverse(p_BT, description.homeAngles);

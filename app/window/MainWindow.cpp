@@ -35,11 +35,14 @@ void MainWindow::connectParts() {
   connect(p.save, &QAction::triggered, this, [this] { save(false); });
   connect(p.saveAs, &QAction::triggered, this, [this] { save(true); });
 
-  connect(p.document, &SceneDocument::sceneReplaced, this, [this] { showDocument(true); });
+  connect(p.document, &SceneDocument::sceneReplaced, this, [this] {
+    parts_->shownDevice.clear();  // the file of the same name may have changed
+    showDocument(true);
+  });
   connect(p.document, &SceneDocument::sceneChanged, p.view, &SceneView::redraw);
   connect(p.document, &SceneDocument::modifiedChanged, this, &MainWindow::updateTitle);
   connect(p.document, &SceneDocument::sceneCompiled, this, [this] {
-    if (!parts_->session->isRunning() && !parts_->replay) showDocument(false);
+    showAtRest();
     if (hasErrors(parts_->document->diagnostics())) parts_->problemsDock->raise();
   });
 
@@ -135,18 +138,27 @@ void MainWindow::enterReplay(const QString& logPath) {
 void MainWindow::showDocument(bool viewAll) {
   Parts& p = *parts_;
   if (p.replay) return;
-  p.view->setScene(p.document->root(), viewAll);
-  const auto& scene = p.document->compiled().scene;
-  if (scene && !p.session->isRunning()) {
-    try {
-      p.view->overlay().setUp(*scene, loadDeviceDescription(scene->device.description));
-    } catch (const std::exception& error) {
-      p.status->showState(tr("Editing"), QString::fromUtf8(error.what()));
-    }
-  }
+  p.view->setScene(p.document->root(), false);
+  showAtRest();
   if (viewAll) p.view->viewAll();
   p.view->redraw();
   updateTitle();
+}
+
+// Called for every compilation, so also while a handle is dragged: the description is read only when it is another.
+void MainWindow::showAtRest() {
+  Parts& p = *parts_;
+  const auto& scene = p.document->compiled().scene;
+  if (!scene || p.replay || p.session->isRunning()) return;
+  try {
+    if (p.shownDevice != scene->device.description) {
+      p.description = loadDeviceDescription(scene->device.description);
+      p.shownDevice = scene->device.description;
+    }
+    p.view->overlay().setUp(*scene, p.description);
+  } catch (const std::exception& error) {
+    p.status->showState(tr("Editing"), QString::fromUtf8(error.what()));
+  }
 }
 
 void MainWindow::updateTitle() {

@@ -31,6 +31,7 @@ class MainWindow : public QMainWindow {
   void enterSession();
   void enterReplay(const QString& logPath);
   void showDocument(bool viewAll);
+  void showAtRest();
   void updateTitle();
   bool mayDiscardChanges();
   bool save(bool askForName);

@@ -35,6 +35,9 @@ struct MainWindow::Parts {
   SessionStatus* status;
   std::unique_ptr<ReplayStage> replay;
 
+  DeviceDescription description;  ///< of the arm that is shown at rest ...
+  std::string shownDevice;        ///< ... under this name or path
+
   QDockWidget* plotsDock = nullptr;
   QDockWidget* replayDock = nullptr;
   QDockWidget* problemsDock = nullptr;
