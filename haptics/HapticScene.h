@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "device/types.h"
+#include "haptics/TriangleMesh.h"
 
 namespace haptiv {
 
@@ -18,11 +20,13 @@ using ShapeId = std::uint32_t;
 ///   cylinder  axis and half height = axes.col(1), radius = |axes.col(0)|; orthogonal columns, 0 and 2 of equal length
 ///   cone      as the cylinder, base at -axes.col(1), apex at +axes.col(1)
 /// (the local axes of Open Inventor's Cube, Sphere, Cylinder and Cone)
+///   mesh      triangles, in W; centre and axes are those of the box around them
 struct Shape {
-  enum class Kind : std::uint8_t { box, sphere, cylinder, cone };
+  enum class Kind : std::uint8_t { box, sphere, cylinder, cone, mesh };
   Kind kind = Kind::box;
-  Vector3 centre = Vector3::Zero();    ///< p_WS [m]
-  Matrix3 axes = Matrix3::Identity();  ///< half extents in W, as columns [m]
+  Vector3 centre = Vector3::Zero();          ///< p_WS [m]
+  Matrix3 axes = Matrix3::Identity();        ///< half extents in W, as columns [m]
+  std::shared_ptr<const TriangleMesh> mesh;  ///< for Kind::mesh alone; shared by the versions of an edited scene
 };
 
 /// Axis-aligned box in W [m].
@@ -49,14 +53,14 @@ struct Wall {
 
 /// A shape in which the tool feels a medium or a spring.
 struct Zone {
-  enum class Kind : std::uint8_t { viscous, spring };
+  enum class Kind : std::uint8_t { viscous, spring, rubberBand };
   ShapeId id = 0;
   Kind kind = Kind::viscous;
   Shape shape;
   double damping = 15;               ///< viscous: [N s/m]
-  double stiffness = 150;            ///< spring: [N/m]
-  double restLength = 0;             ///< spring: [m]
-  Vector3 anchor = Vector3::Zero();  ///< spring: p_WA [m]
+  double stiffness = 150;            ///< spring, rubber band: [N/m]
+  double restLength = 0;             ///< spring, rubber band: [m]; the band pulls only beyond it
+  Vector3 anchor = Vector3::Zero();  ///< spring, rubber band: p_WA [m]
 };
 
 /// The ball that the hand moves.

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <limits>
 
-#include "device/JointLimiter.h"
-#include "device/RedundancyResolution.h"
+#include "device/redundancy/JointLimiter.h"
+#include "device/redundancy/RedundancyResolution.h"
 #include "haptics/DeviceFrames.h"
 #include "haptics/FreeMotion.h"
 #include "haptics/Zones.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "device/DeviceDescription.h"
-#include "device/Vishard10.h"
+#include "device/kinematics/Vishard10.h"
 #include "haptics/Admittance.h"
 #include "haptics/HapticScene.h"
 #include "haptics/IfThenRenderer.h"

@@ -25,6 +25,7 @@ SurfacePoint nearestOf(const Shape& shape, const Vector3& p_W) noexcept {
       return nearestOnCylinder(shape, p_W);
     case Shape::Kind::cone:
       return nearestOnCone(shape, p_W);
+    case Shape::Kind::mesh:  // as its box
     case Shape::Kind::box:
       break;
   }
@@ -39,6 +40,7 @@ SurfacePoint onFace(const Shape& shape, const Vector3& p_W, int face) noexcept {
       return onCylinderFace(shape, p_W, face);
     case Shape::Kind::cone:
       return onConeFace(shape, p_W, face);
+    case Shape::Kind::mesh:  // as its box
     case Shape::Kind::box:
       break;
   }

@@ -8,7 +8,7 @@
 #include "app/commands/ExitCode.h"
 #include "app/commands/Report.h"
 #include "device/DeviceDescription.h"
-#include "device/Vishard10.h"
+#include "device/kinematics/Vishard10.h"
 
 namespace haptiv {
 namespace {

@@ -8,7 +8,7 @@
 #include <iostream>
 
 #include "app/commands/ExitCode.h"
-#include "device/Vishard10.h"
+#include "device/kinematics/Vishard10.h"
 #include "haptics/DeviceFrames.h"
 #include "scenegraph/nodes/SoHapticDevice.h"
 #include "scenegraph/nodes/SoHapticTool.h"

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "app/version.h"
-#include "device/Vishard10.h"
+#include "device/kinematics/Vishard10.h"
 #include "device/simulated/ScriptedHand.h"
 #include "haptics/DeviceFrames.h"
 

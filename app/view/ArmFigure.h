@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "device/Vishard10.h"
+#include "device/kinematics/Vishard10.h"
 #include "haptics/HapticScene.h"
 #include "scenegraph/NodeRef.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "device/Vishard10.h"
+#include "device/kinematics/Vishard10.h"
 #include "device/simulated/Encoder.h"
 #include "device/simulated/ForceTorqueSensor.h"
 #include "device/simulated/HumanHand.h"

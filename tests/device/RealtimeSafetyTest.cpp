@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "device/JointLimiter.h"
-#include "device/RedundancyResolution.h"
-#include "device/Vishard10.h"
+#include "device/kinematics/Vishard10.h"
+#include "device/redundancy/JointLimiter.h"
+#include "device/redundancy/RedundancyResolution.h"
 #include "device/simulated/ScriptedHand.h"
 #include "device/simulated/SimulatedDevice.h"
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "device/Vishard10.h"
+#include "device/kinematics/Vishard10.h"
 #include "device/simulated/ScriptedHand.h"
 
 namespace haptiv {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/view/ForceArrow.h"
-#include "device/Vishard10.h"
+#include "device/kinematics/Vishard10.h"
 
 namespace haptiv {
 namespace {

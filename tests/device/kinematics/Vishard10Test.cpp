@@ -1,4 +1,4 @@
-#include "device/Vishard10.h"
+#include "device/kinematics/Vishard10.h"
 
 #include <gtest/gtest.h>
 

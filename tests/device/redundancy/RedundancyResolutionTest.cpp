@@ -1,4 +1,4 @@
-#include "device/RedundancyResolution.h"
+#include "device/redundancy/RedundancyResolution.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "device/Vishard10.h"
+#include "device/kinematics/Vishard10.h"
 #include "tests/support/Random.h"
 
 namespace haptiv {

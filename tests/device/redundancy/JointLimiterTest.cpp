@@ -1,4 +1,4 @@
-#include "device/JointLimiter.h"
+#include "device/redundancy/JointLimiter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "device/RedundancyResolution.h"
+#include "device/redundancy/RedundancyResolution.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
