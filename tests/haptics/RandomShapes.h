@@ -47,6 +47,7 @@ class RandomShapes {
     const double angle = between(0, 6.2831853071795865);
     Vector3 s = vector(1);
     switch (shape.kind) {
+      case Shape::Kind::mesh:  // of these there are none: shape() makes exact ones
       case Shape::Kind::box:
         s[static_cast<int>(between(0, 2.999))] = between(-1, 1) < 0 ? -1 : 1;
         break;
@@ -84,6 +85,7 @@ inline double implicitValue(const Shape& shape, const Vector3& p_W) {
       return std::max(radial - 1, std::abs(s.y()) - 1);
     case Shape::Kind::cone:
       return std::max(radial - (1 - s.y()) / 2, -1 - s.y());
+    case Shape::Kind::mesh:
     case Shape::Kind::box:
       break;
   }
