@@ -93,3 +93,6 @@ TEST(Layers, TheSceneViewKnowsNothingOfEditorReplayAndWindow) {
 TEST(Layers, TheEditorKnowsNothingOfSessionsAndReplay) {
   expectNoInclude("app/editor", "^app/(session|replay|window)/");
 }
+TEST(Layers, FiguresKnowNothingOfWhatTheyShow) {
+  expectNoInclude("app/figures", "^(device|haptics|scenegraph)/|^app/(?!figures/)");
+}
