@@ -3,12 +3,21 @@
 #include "haptics/ShapeDistance.h"
 
 namespace haptiv {
+namespace {
+
+template <typename Felt>
+BoundingTree treeOf(const std::vector<Felt>& shapes) {
+  std::vector<Bounds> bounds;
+  bounds.reserve(shapes.size());
+  for (const Felt& each : shapes) bounds.push_back(boundsOf(each.shape));
+  return BoundingTree(bounds);
+}
+
+}  // namespace
 
 void computeBounds(HapticScene& scene) {
-  scene.wallBounds.clear();
-  scene.zoneBounds.clear();
-  for (const Wall& wall : scene.walls) scene.wallBounds.push_back(boundsOf(wall.shape));
-  for (const Zone& zone : scene.zones) scene.zoneBounds.push_back(boundsOf(zone.shape));
+  scene.wallTree = treeOf(scene.walls);
+  scene.zoneTree = treeOf(scene.zones);
 }
 
 }  // namespace haptiv

@@ -7,6 +7,7 @@
 
 #include "device/types.h"
 #include "haptics/TriangleMesh.h"
+#include "haptics/index/BoundingTree.h"
 
 namespace haptiv {
 
@@ -27,12 +28,6 @@ struct Shape {
   Vector3 centre = Vector3::Zero();          ///< p_WS [m]
   Matrix3 axes = Matrix3::Identity();        ///< half extents in W, as columns [m]
   std::shared_ptr<const TriangleMesh> mesh;  ///< for Kind::mesh alone; shared by the versions of an edited scene
-};
-
-/// Axis-aligned box in W [m].
-struct Bounds {
-  Vector3 low = Vector3::Zero();
-  Vector3 high = Vector3::Zero();
 };
 
 /// How a surface feels: the wall's law, eqs. (26), (27).
@@ -87,12 +82,12 @@ struct HapticScene {
   DevicePlacement device;
   std::vector<Wall> walls;
   std::vector<Zone> zones;
-  std::vector<Bounds> wallBounds;  ///< derived by computeBounds, one a wall
-  std::vector<Bounds> zoneBounds;  ///< derived by computeBounds, one a zone
+  BoundingTree wallTree;  ///< derived by computeBounds: item i is walls[i]
+  BoundingTree zoneTree;  ///< derived by computeBounds: item i is zones[i]
 };
 
-/// Fills in the bounds by which the servo finds what is near. Whoever builds a scene calls this last; where it was
-/// forgotten (the numbers do not match), the bounds are computed in every tick: slow, and right all the same.
+/// Makes the trees by which the servo finds what is near. Whoever builds a scene calls this last; where it was
+/// forgotten (the numbers do not match), every shape is measured in every tick: slow, and right all the same.
 void computeBounds(HapticScene& scene);
 
 }  // namespace haptiv

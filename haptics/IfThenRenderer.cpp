@@ -47,26 +47,34 @@ Vector3 rememberedPlace(const Vector3& position, const ContactSet& contacts) noe
   return planes.nearest(position);
 }
 
-/// The walls around that place as half spaces for the ball's centre; the nearest kMaxContacts of them.
+/// The walls around that place as half spaces for the ball's centre, by rising index; the nearest kMaxContacts of them.
 ContactSet wallsAround(const HapticScene& scene, const Vector3& place, double radius) noexcept {
   ContactSet near;
   std::array<double, kMax> distance{};
-  forEachNear(scene.walls, scene.wallBounds, place, 2 * radius, [&](std::size_t wall, const SurfacePoint& surface) {
+  const auto farther = [&](std::size_t a, std::size_t b) {
+    return distance[a] != distance[b] ? distance[a] > distance[b] : near.contact[a].wall > near.contact[b].wall;
+  };
+  forEachNear(scene.walls, scene.wallTree, place, 2 * radius, [&](std::size_t wall, const SurfacePoint& surface) {
+    const auto index = static_cast<std::int32_t>(wall);
     auto slot = static_cast<std::size_t>(near.count);
     if (near.count == kMax) {
-      slot = static_cast<std::size_t>(std::max_element(distance.begin(), distance.end()) - distance.begin());
-      if (distance[slot] <= surface.distance) return;
+      slot = 0;
+      for (std::size_t i = 1; i < kMax; ++i) slot = farther(i, slot) ? i : slot;
+      if (distance[slot] < surface.distance) return;
+      if (distance[slot] == surface.distance && near.contact[slot].wall < index) return;
     } else {
       ++near.count;
     }
     distance[slot] = surface.distance;
     Contact& contact = near.contact[slot];
     contact.id = scene.walls[wall].id;
-    contact.wall = static_cast<std::int32_t>(wall);
+    contact.wall = index;
     contact.face = surface.face;
     contact.normal = surface.normal;
     contact.offset = surface.normal.dot(place) + radius - surface.distance;
   });
+  std::sort(near.contact.begin(), near.contact.begin() + near.count,
+            [](const Contact& a, const Contact& b) { return a.wall < b.wall; });
   return near;
 }
 

@@ -208,8 +208,8 @@ TEST(SceneCompiler, CountsTheTrianglesThatAreDrawn) {
 TEST(SceneCompiler, CarriesTheBoundsThatTheServoLooksThingsUpBy) {
   const CompiledScene compiled = compile("HapticSurface { } Cube { } HapticViscousZone { } Cube { }");
   ASSERT_TRUE(compiled.scene);
-  EXPECT_EQ(compiled.scene->wallBounds.size(), 1u);
-  EXPECT_EQ(compiled.scene->zoneBounds.size(), 1u);
+  EXPECT_EQ(compiled.scene->wallTree.size(), 1u);
+  EXPECT_EQ(compiled.scene->zoneTree.size(), 1u);
 }
 
 }  // namespace

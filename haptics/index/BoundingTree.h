@@ -1,0 +1,138 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "haptics/index/BuildNodes.h"
+#include "haptics/index/SweptBall.h"
+
+namespace haptiv {
+
+/// Finds, among very many boxes, those near a place: one flat tree, built once. The boxes are items 0, 1, ...;
+/// what they bound (walls, zones, triangles) stays with whoever asks.
+///
+/// A query visits every item whose box it touches, and a few whose box is that near only for rounding: the visitor
+/// measures for itself. What is visited, and in which order, depends on nothing but the boxes given and the query.
+/// Boxes may lie on one spot, be empty, infinite or NaN (then they are near everything), and stand anywhere: all
+/// tolerances are relative to the numbers themselves. The tree keeps single-precision boxes relative to its middle,
+/// rounded outwards.
+///
+/// Queries are realtime-safe (no allocation, a stack of fixed size), and thread-safe among each other.
+class BoundingTree {
+ public:
+  static constexpr std::size_t kMaxItems = BoxNode::kItemFlag - 1;
+
+  BoundingTree() = default;
+  /// O(n log n): half a second for a million boxes. Throws std::length_error beyond kMaxItems.
+  explicit BoundingTree(std::span<const Bounds> boxes);
+
+  std::size_t size() const noexcept { return size_; }
+  std::size_t bytes() const noexcept { return nodes_.size() * sizeof(BoxNode); }
+
+  /// Renames the items along the tree: from now on, item i is what was item result[i]. Who then stores what the items
+  /// stand for in this order has neighbours in space next to each other in memory.
+  std::vector<std::uint32_t> renumber();
+
+  /// Calls visit(item) for the boxes nearer to p_W than `reach` along every axis.
+  template <typename Visit>
+  void forEachNear(const Vector3& p_W, double reach, Visit&& visit) const noexcept;
+
+  /// Calls visit(item) for the boxes that a ball of radius `reach` may touch on the straight way from one place to
+  /// another: all that it touches, and a few that are near the way.
+  template <typename Visit>
+  void forEachAlong(const Vector3& from_W, const Vector3& to_W, double reach, Visit&& visit) const noexcept;
+
+  /// Calls measure(item), which returns a distance, for boxes in the order of their nearness to p_W, as long as a box
+  /// is nearer than `reach` and than the smallest distance measured so far. Returns that distance, or `reach`.
+  /// A distance is not negative.
+  template <typename Measure>
+  double nearest(const Vector3& p_W, double reach, Measure&& measure) const noexcept;
+
+ private:
+  static constexpr std::size_t kStack = 3 * kMaxTreeDepth + 1;  ///< each level takes one place and leaves four
+
+  template <typename Touching, typename Visit>
+  void walk(Touching&& touching, Visit&& visit) const noexcept;
+
+  std::vector<BoxNode> nodes_;  ///< the root first; parents before children
+  Vector3 origin_ = Vector3::Zero();
+  std::size_t size_ = 0;
+};
+
+template <typename Touching, typename Visit>
+void BoundingTree::walk(Touching&& touching, Visit&& visit) const noexcept {
+  if (nodes_.empty()) return;
+  std::array<std::uint32_t, kStack> waiting;
+  waiting[0] = 0;
+  for (std::size_t count = 1; count > 0;) {
+    const BoxNode& node = nodes_[waiting[--count]];
+    for (unsigned bits = touching(node); bits != 0; bits &= bits - 1) {
+      const std::uint32_t child = node.child[std::countr_zero(bits)];
+      if ((child & BoxNode::kItemFlag) != 0) {
+        visit(child & ~BoxNode::kItemFlag);
+      } else {
+        waiting[count++] = child;
+      }
+    }
+  }
+}
+
+template <typename Visit>
+void BoundingTree::forEachNear(const Vector3& p_W, double reach, Visit&& visit) const noexcept {
+  const FloatBox query = outwards(p_W.array() - reach, p_W.array() + reach, origin_);
+  walk([&](const BoxNode& node) { return node.touching(query); }, visit);
+}
+
+template <typename Visit>
+void BoundingTree::forEachAlong(const Vector3& from_W, const Vector3& to_W, double reach,
+                                Visit&& visit) const noexcept {
+  const Vector3 low = from_W.cwiseMin(to_W), high = from_W.cwiseMax(to_W);
+  const FloatBox query = outwards(low.array() - reach, high.array() + reach, origin_);
+  const double numbers = low.cwiseAbs().maxCoeff() + high.cwiseAbs().maxCoeff() + origin_.cwiseAbs().maxCoeff();
+  const SweptBall ball(from_W - origin_, to_W - origin_, reach, index_detail::kDoubleSlack * (numbers + reach));
+  const auto touching = [&](const BoxNode& node) {
+    unsigned kept = node.touching(query);
+    for (unsigned bits = kept; bits != 0; bits &= bits - 1) {
+      const int place = std::countr_zero(bits);
+      if (!ball.mayTouch(node, static_cast<std::size_t>(place))) kept &= ~(1U << place);
+    }
+    return kept;
+  };
+  walk(touching, visit);
+}
+
+template <typename Measure>
+double BoundingTree::nearest(const Vector3& p_W, double reach, Measure&& measure) const noexcept {
+  struct Place {
+    float squared;  ///< distance of the box [m^2]
+    std::uint32_t child;
+  };
+  constexpr float kRounding = 1 - 1e-5F;  // of the squares, with room to spare
+  const FloatBox query = outwards(p_W, p_W, origin_);
+  std::array<Place, kStack> waiting;  // farther ones below nearer ones, among the places of one node
+  waiting[0] = {0, 0};
+  double best = reach;
+  for (std::size_t count = nodes_.empty() ? 0 : 1; count > 0;) {
+    const Place place = waiting[--count];
+    if (!(double{place.squared} * kRounding < best * best)) continue;
+    if ((place.child & BoxNode::kItemFlag) != 0) {
+      best = std::min(best, measure(place.child & ~BoxNode::kItemFlag));
+      continue;
+    }
+    const BoxNode& node = nodes_[place.child];
+    const std::array<float, 4> squared = node.squaredDistances(query);
+    const std::size_t first = count;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (node.child[i] == BoxNode::kNone) continue;
+      std::size_t at = count++;
+      for (; at > first && waiting[at - 1].squared < squared[i]; --at) waiting[at] = waiting[at - 1];
+      waiting[at] = {squared[i], node.child[i]};
+    }
+  }
+  return best;
+}
+
+}  // namespace haptiv
