@@ -1,10 +1,18 @@
 #include "app/commands/CheckCommand.h"
 
+#include <memory>
+
 #include "app/commands/ExitCode.h"
 #include "app/commands/LoadedScene.h"
 #include "app/commands/Report.h"
 
 namespace haptiv {
+namespace {
+
+struct CheckOptions {
+  std::string scene;
+  bool json = false;
+};
 
 int checkScene(const CheckOptions& options) {
   initSceneGraph();
@@ -22,6 +30,15 @@ int checkScene(const CheckOptions& options) {
   if (!options.json) tell(loaded.diagnostics);
   report.print(options.json);
   return hasErrors(loaded.diagnostics) ? kNotSo : kGood;
+}
+
+}  // namespace
+
+void addCheckCommand(const Command& program) {
+  const auto options = std::make_shared<CheckOptions>();
+  const Command check = program.add("check", "Load and judge a scene", [options] { return checkScene(*options); });
+  check.path("SCENE", options->scene, "Scene to be judged (.iv)").required();
+  check.json(options->json);
 }
 
 }  // namespace haptiv

@@ -1,15 +1,10 @@
 #pragma once
 
-#include <string>
+#include "app/commands/Command.h"
 
 namespace haptiv {
 
-struct CheckOptions {
-  std::string scene;
-  bool json = false;
-};
-
 /// `haptiv check`: loads and judges a scene. kNotSo where it has errors.
-int checkScene(const CheckOptions& options);
+void addCheckCommand(const Command& program);
 
 }  // namespace haptiv

@@ -1,5 +1,7 @@
 #include "app/commands/InfoCommand.h"
 
+#include <memory>
+
 #include "app/commands/ExitCode.h"
 #include "app/commands/LoadedScene.h"
 #include "app/commands/Report.h"
@@ -8,6 +10,12 @@
 #include "device/DeviceDescription.h"
 
 namespace haptiv {
+namespace {
+
+struct InfoOptions {
+  std::string log;
+  bool json = false;
+};
 
 int describeLog(const InfoOptions& options) {
   requireReadable(options.log);
@@ -34,6 +42,16 @@ int describeLog(const InfoOptions& options) {
   report.add("faults", faultNames(last.faults));
   report.print(options.json);
   return kGood;
+}
+
+}  // namespace
+
+void addInfoCommand(const Command& program) {
+  const auto options = std::make_shared<InfoOptions>();
+  const Command info =
+      program.add("info", "Tell what a session log holds", [options] { return describeLog(*options); });
+  info.path("LOG", options->log, "Session log (.h5)").required();
+  info.json(options->json);
 }
 
 }  // namespace haptiv

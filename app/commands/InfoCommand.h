@@ -1,15 +1,10 @@
 #pragma once
 
-#include <string>
+#include "app/commands/Command.h"
 
 namespace haptiv {
 
-struct InfoOptions {
-  std::string log;
-  bool json = false;
-};
-
 /// `haptiv info`: what a session log holds, complete or cut off.
-int describeLog(const InfoOptions& options);
+void addInfoCommand(const Command& program);
 
 }  // namespace haptiv

@@ -3,15 +3,21 @@
 #include <Eigen/SVD>
 #include <charconv>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "app/commands/ExitCode.h"
 #include "app/commands/Report.h"
 #include "device/DeviceDescription.h"
-#include "device/kinematics/Vishard10.h"
+#include "device/kinematics/ArmKinematics.h"
 
 namespace haptiv {
 namespace {
+
+struct KinematicsOptions {
+  std::string q;  // ten joint angles [rad] with commas between
+  bool json = false;
+};
 
 JointVector parseAngles(const std::string& text) {
   const auto refuse = [&text](const std::string& why) {
@@ -57,11 +63,9 @@ double dexterity(const Report::Numbers& sigma) {
   return 4.0 / 3.0 * std::numbers::pi * sigma[1] * sigma[2] * sigma[2];
 }
 
-}  // namespace
-
 int describePose(const KinematicsOptions& options) {
   const JointVector q = parseAngles(options.q);
-  const Vishard10 arm(loadDeviceDescription("vishard10").links);
+  const ArmKinematics arm(loadDeviceDescription("vishard10"));
   const Pose pose = arm.forward(q);
   const Jacobian J = arm.jacobian(q);
   const Report::Numbers translational = singularValues<3>(J.topRows<3>());
@@ -79,6 +83,16 @@ int describePose(const KinematicsOptions& options) {
   report.add("index_rot", dexterity(rotational));
   report.print(options.json);
   return kGood;
+}
+
+}  // namespace
+
+void addKinematicsCommand(const Command& program) {
+  const auto options = std::make_shared<KinematicsOptions>();
+  const Command kinematics = program.add("kinematics", "Pose, Jacobian and dexterity of VISHARD10",
+                                         [options] { return describePose(*options); });
+  kinematics.text("--q", options->q, "Ten joint angles in rad, with commas between").type("Q1,...,Q10").required();
+  kinematics.json(options->json);
 }
 
 }  // namespace haptiv

@@ -1,15 +1,10 @@
 #pragma once
 
-#include <string>
+#include "app/commands/Command.h"
 
 namespace haptiv {
 
-struct KinematicsOptions {
-  std::string q;  ///< ten joint angles [rad] with commas between
-  bool json = false;
-};
-
 /// `haptiv kinematics`: pose, Jacobian and dexterity of VISHARD10 at these joint angles.
-int describePose(const KinematicsOptions& options);
+void addKinematicsCommand(const Command& program);
 
 }  // namespace haptiv

@@ -8,15 +8,12 @@
 #include <iostream>
 
 #include "app/commands/ExitCode.h"
-#include "device/kinematics/Vishard10.h"
-#include "haptics/DeviceFrames.h"
+#include "haptics/SessionStart.h"
 #include "scenegraph/nodes/SoHapticDevice.h"
 #include "scenegraph/nodes/SoHapticTool.h"
 
 namespace haptiv {
 namespace {
-
-constexpr double kReachTolerance = 1e-6;  // of the closed-form inverse kinematics, in device metres
 
 // Where the scene's node of this type stands; 0: nowhere, the default is in force.
 template <typename Node>
@@ -25,13 +22,6 @@ int lineOf(const SceneFile& file) {
     if (node->isOfType(Node::getClassTypeId())) return line;
   }
   return 0;
-}
-
-bool inReach(const HapticScene& scene, const DeviceDescription& device) {
-  const DevicePlacement& placed = scene.device;
-  const Vector3 p_BT = placeInBase(placed, scene.tool.home);
-  const Vishard10 arm(device.links);
-  return (arm.forward(arm.inverse(p_BT, device.homeAngles)).position - p_BT).norm() < kReachTolerance;
 }
 
 void judgeDevice(LoadedScene& loaded) {
@@ -45,7 +35,7 @@ void judgeDevice(LoadedScene& loaded) {
     complain(lineOf<SoHapticDevice>(loaded.file), "HapticDevice", error.what());
     return;
   }
-  if (!inReach(scene, loaded.device))
+  if (!sessionStart(scene, loaded.device).inReach())
     complain(lineOf<SoHapticTool>(loaded.file), "HapticTool",
              "home is out of the arm's reach; move it, or the HapticDevice, or raise the device's scale");
 }

@@ -1,6 +1,7 @@
 #include "app/commands/ReplayCommand.h"
 
 #include <iostream>
+#include <memory>
 
 #include "app/commands/ChangedScenes.h"
 #include "app/commands/ExitCode.h"
@@ -14,6 +15,14 @@
 
 namespace haptiv {
 namespace {
+
+struct ReplayOptions {
+  std::string log;
+  bool verify = false;
+  std::vector<std::string> changes;  // NODE.FIELD=VALUE
+  std::string exported;              // CSV to be written; empty: none
+  bool json = false;
+};
 
 // Adds what the verification found; false where there is a difference.
 bool addVerification(Report& report, const SessionLog& log) {
@@ -68,8 +77,6 @@ int showLog(int argc, char** argv, const ReplayOptions& options) {
   return openWindow(argc, argv, options.log);
 }
 
-}  // namespace
-
 int replayLog(int argc, char** argv, const ReplayOptions& options) {
   if (!options.verify && options.changes.empty() && options.exported.empty()) return showLog(argc, argv, options);
 
@@ -87,6 +94,20 @@ int replayLog(int argc, char** argv, const ReplayOptions& options) {
   }
   report.print(options.json);
   return identical ? kGood : kNotSo;
+}
+
+}  // namespace
+
+void addReplayCommand(const Command& program, int argc, char** argv) {
+  const auto options = std::make_shared<ReplayOptions>();
+  const Command replay = program.add("replay", "Replay a session log; in the window if nothing else is asked for",
+                                     [=] { return replayLog(argc, argv, *options); });
+  replay.path("LOG", options->log, "Session log (.h5)").required();
+  replay.flag("--verify", options->verify, "Re-simulate, compare bit for bit, and name the first difference");
+  replay.texts("--set", options->changes, "Re-simulate with this property changed; may be given several times")
+      .type("NODE.FIELD=VALUE");
+  replay.path("--export", options->exported, "Write the ticks as a table").type("FILE.csv");
+  replay.json(options->json);
 }
 
 }  // namespace haptiv

@@ -1,6 +1,8 @@
 #include "app/commands/RunCommand.h"
 
 #include <iostream>
+#include <memory>
+#include <optional>
 
 #include "app/commands/ExitCode.h"
 #include "app/commands/LiveRun.h"
@@ -13,8 +15,25 @@
 namespace haptiv {
 namespace {
 
-constexpr double kSecondsAtRest = 5;    // of a session without a hand file
-constexpr double kSecondsToSettle = 1;  // after the end of a hand file
+constexpr Range kRates{500, 8000};         // [Hz]
+constexpr Range kLengths{0, 86400, true};  // [s], up to a day
+constexpr double kSecondsAtRest = 5;       // of a session without a hand file
+constexpr double kSecondsToSettle = 1;     // after the end of a hand file
+
+/// Empty paths: not asked for.
+struct RunOptions {
+  std::string scene;
+  std::string device = "sim";
+  std::string hand = "rest";
+  std::optional<double> seconds;  // none: as long as the hand file, and a second more
+  double rate = 1000;             // [Hz]
+  std::string strategy = "nonopt";
+  std::string log;
+  std::string picture;
+  bool solid = false;
+  bool fast = false;
+  bool json = false;
+};
 
 // What the command line of a later version will offer is refused, never ignored.
 void refuseWhatIsNotThere(const RunOptions& options) {
@@ -80,8 +99,6 @@ Report reportOf(const RunOptions& options, const Outcome& outcome) {
   return report;
 }
 
-}  // namespace
-
 int runSession(const RunOptions& options) {
   refuseWhatIsNotThere(options);
   initSceneGraph();
@@ -107,6 +124,29 @@ int runSession(const RunOptions& options) {
                                      faultName(static_cast<Fault>(outcome.summary.last.faults)) + " at tick " +
                                      std::to_string(outcome.summary.last.tick) + " or before; see the log");
   return kGood;
+}
+
+}  // namespace
+
+void addRunCommand(const Command& program) {
+  const auto options = std::make_shared<RunOptions>();
+  const Command run = program.add("run", "Run a session without a window", [options] { return runSession(*options); });
+  run.path("SCENE", options->scene, "Scene to be felt (.iv)").required();
+  run.text("--device", options->device, "The arm: sim").type("NAME").showDefault();
+  run.path("--hand", options->hand,
+           "Where the hand wants the ball, over time: a CSV file with the columns t,x,y,z in s and m, or rest: nobody "
+           "holds the ball")
+      .type("FILE.csv")
+      .showDefault();
+  run.number("--seconds", options->seconds, kLengths, "How long; as long as the hand file and 1 s more, or 5 s")
+      .type("S");
+  run.number("--rate", options->rate, kRates, "Ticks per second, 500 to 8000").type("HZ").showDefault();
+  run.text("--strategy", options->strategy, "How the redundancy is resolved: nonopt").type("NAME").showDefault();
+  run.path("--log", options->log, "Log every tick to this HDF5 file").type("FILE.h5");
+  run.path("--picture", options->picture, "Draw the end of the session, 1280 x 720; needs no display").type("FILE.png");
+  run.flag("--fast", options->fast, "As fast as the machine allows, and repeatable bit for bit");
+  run.flag("--solid", options->solid, "For meshes; not in this version");
+  run.json(options->json);
 }
 
 }  // namespace haptiv
