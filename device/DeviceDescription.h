@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "device/HapticDevice.h"
+#include "device/kinematics/ChainGeometry.h"
 #include "device/types.h"
 
 namespace haptiv {
@@ -62,7 +63,9 @@ struct ControlSettings {
 /// Read from a TOML file with `schema = 1`; device/descriptions/vishard10.toml shows and explains every key.
 struct DeviceDescription {
   std::string name = "vishard10";
-  LinkLengths links;
+  LinkLengths links;    ///< of VISHARD10
+  ChainGeometry chain;  ///< of any other arm; without joints the arm is a VISHARD10
+  Pose tool;            ///< X_CT: the tool, in the frame of the wrist centre
   JointDrives drives;
   HandleSensor sensor;
   HandModel hand;

@@ -42,7 +42,7 @@ struct HapticTick::Measured {
 };
 
 HapticTick::HapticTick(const DeviceDescription& description, double period)
-    : description_(description), arm_(description.links), period_(period) {
+    : description_(description), arm_(description), period_(period) {
   const HandleSensor& sensor = description.sensor;
   const std::int32_t force = lastCount(sensor.forceRange, sensor.forceResolution);
   const std::int32_t torque = lastCount(sensor.torqueRange, sensor.torqueResolution);
@@ -96,9 +96,10 @@ void HapticTick::move(const HapticScene& scene, const Measured& measured, TickSt
   const Vector3 velocity = nextVelocity(ball, force, scene.tool.mass, period_);
 
   const Pose wanted{placeInBase(device, ball.position), state.heldRotation};
-  Vector6 twist = driftCorrection(wanted, arm_.forward(state.desiredAngles), description_.control.driftGain);
+  const ArmPose arm = arm_.evaluate(state.desiredAngles);
+  Vector6 twist = driftCorrection(wanted, arm.X_BT, description_.control.driftGain);
   twist.head<3>() += device.rotation.transpose() * velocity / device.scale;
-  const JointVector rates = leastNormRates(arm_.jacobian(state.desiredAngles), twist, description_.control);
+  const JointVector rates = leastNormRates(arm.J_BT, twist, description_.control);
   const double slowed = slowDownFactor(rates, rateLimit);
 
   const JointVector error = state.desiredAngles - measured.angles;

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "device/DeviceDescription.h"
-#include "device/kinematics/Vishard10.h"
+#include "device/kinematics/ArmKinematics.h"
 #include "haptics/Admittance.h"
 #include "haptics/HapticScene.h"
 #include "haptics/IfThenRenderer.h"
@@ -51,7 +51,7 @@ class HapticTick {
   void move(const HapticScene& scene, const Measured& measured, TickState& state, TickRecord& record) const noexcept;
 
   DeviceDescription description_;
-  Vishard10 arm_;
+  ArmKinematics arm_;
   double period_;
   std::array<std::int32_t, 6> saturation_{};  ///< sensor counts at the end of the range
 };

@@ -5,17 +5,11 @@
 #include <stdexcept>
 
 #include "app/version.h"
-#include "device/kinematics/Vishard10.h"
 #include "device/simulated/ScriptedHand.h"
 #include "haptics/DeviceFrames.h"
+#include "haptics/SessionStart.h"
 
 namespace haptiv {
-namespace {
-
-constexpr double kHomeTolerance = 1e-6;  // [m]; the inverse function is exact but for rounding, or clamps by far more
-
-}  // namespace
-
 void expectUsable(const SessionSetup& setup) {
   if (!setup.scene) throw std::invalid_argument("a session needs a scene: load one without errors first");
   if (!std::isfinite(setup.rate) || setup.rate <= 0)
@@ -39,18 +33,15 @@ std::unique_ptr<HandSource> scriptedHand(const SessionSetup& setup) {
 }
 
 std::unique_ptr<SimulatedDevice> simulatedDevice(const SessionSetup& setup, std::unique_ptr<HandSource> hand) {
-  const Vishard10 arm(setup.description.links);
-  const Vector3 home = placeInBase(setup.scene->device, setup.scene->tool.home);
-  const JointVector start = arm.inverse(home, setup.description.homeAngles);
-  const Vector3 reached = arm.forward(start).position;
-  if (!((reached - home).norm() <= kHomeTolerance)) {
+  const SessionStart start = sessionStart(*setup.scene, setup.description);
+  if (!start.inReach()) {
     std::ostringstream message;
-    message << "the tool's home is at (" << home.transpose()
+    message << "the tool's home is at (" << start.wanted.transpose()
             << ") m from the device's base, out of the arm's reach; the "
-            << "nearest place is (" << reached.transpose() << ") m. Move HapticTool's home, or HapticDevice";
+            << "nearest place is (" << start.reached.transpose() << ") m. Move HapticTool's home, or HapticDevice";
     throw std::runtime_error(message.str());
   }
-  return std::make_unique<SimulatedDevice>(setup.description, start, std::move(hand), setup.seed);
+  return std::make_unique<SimulatedDevice>(setup.description, start.angles, std::move(hand), setup.seed);
 }
 
 SessionHeader headerOf(const SessionSetup& setup) {

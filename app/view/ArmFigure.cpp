@@ -6,8 +6,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 
 #include "app/view/CoinValues.h"
+#include "haptics/DeviceFrames.h"
 
 namespace haptiv {
 namespace {
@@ -25,6 +27,12 @@ constexpr std::array<float, 9> kHousingRadius = {0.04F, 0.034F, 0.031F, 0.028F, 
 constexpr float kScaraHousing = 0.05F;  // heights
 constexpr float kLiftHousing = 0.04F;
 const SbColor kGloss(0.30F, 0.32F, 0.34F);
+
+// The last one stands for all that follow.
+template <std::size_t Size>
+float at(const std::array<float, Size>& sizes, int i) {
+  return sizes[std::min<std::size_t>(i, Size - 1)];
+}
 
 SoNode* tube(float radius) {
   auto* cylinder = new SoCylinder;
@@ -52,9 +60,7 @@ ArmFigure::ArmFigure() : root_(new SoSeparator), castings_(new SoSeparator), tub
   root_->addChild(solid);
   materials_ = {addMaterial(castings_, SbColor(0.22F, 0.29F, 0.38F)),
                 addMaterial(tubes_, SbColor(0.46F, 0.53F, 0.61F))};
-  addLinks();
-  addJoints();
-  addPost();
+  setUp({}, {});
 }
 
 SoMaterial* ArmFigure::addMaterial(SoSeparator* parent, const SbColor& color) {
@@ -77,29 +83,44 @@ SoTransform* ArmFigure::addSolid(SoSeparator* parent, SoNode* shape) {
   return place;
 }
 
-void ArmFigure::addLinks() {
-  for (float width : kScaraWidth) links_.push_back(addSolid(tubes_, plate(width, kScaraThickness)));
-  for (float radius : kTubeRadius) links_.push_back(addSolid(tubes_, tube(radius)));
-}
-
-void ArmFigure::addJoints() {
-  for (float radius : kHousingRadius) joints_.push_back(addSolid(castings_, tube(radius)));
-}
-
-void ArmFigure::addPost() {
+// Anew where the arm is of another kind.
+void ArmFigure::build() {
+  const std::pair<bool, int> kind{isScara(), kinematics_.skeleton(JointVector::Zero()).count};
+  if (built_ == kind) return;
+  built_ = kind;
+  for (SoSeparator* group : {castings_, tubes_})
+    while (group->getNumChildren() > 1) group->removeChild(1);  // all but the material
+  links_.clear();
+  joints_.clear();
+  addLinks(kind.second - 1);
+  addJoints(isScara() ? static_cast<int>(kHousingRadius.size()) : kinematics_.jointCount());
   post_ = addSolid(castings_, tube(kHousingRadius[0] * 0.8F));
 }
 
-void ArmFigure::setUp(const DevicePlacement& placement, const LinkLengths& links) {
+void ArmFigure::addLinks(int count) {
+  const int plates = isScara() ? static_cast<int>(kScaraWidth.size()) : 0;
+  for (int i = 0; i < plates; ++i) links_.push_back(addSolid(tubes_, plate(kScaraWidth[i], kScaraThickness)));
+  for (int i = 0; i < count - plates; ++i) links_.push_back(addSolid(tubes_, tube(at(kTubeRadius, i))));
+}
+
+void ArmFigure::addJoints(int count) {
+  for (int i = 0; i < count; ++i) joints_.push_back(addSolid(castings_, tube(at(kHousingRadius, i))));
+}
+
+void ArmFigure::setUp(const DevicePlacement& placement, const DeviceDescription& description) {
   placement_ = placement;
-  kinematics_ = Vishard10(links);
+  kinematics_ = ArmKinematics(description);
+  build();
 }
 
 void ArmFigure::show(const JointVector& q) {
-  Points points = kinematics_.skeleton(q);
-  for (Vector3& point : points) point = inWorld(point);
-  showLinks(points);
-  showJoints(points);
+  ArmSkeleton skeleton = kinematics_.skeleton(q);
+  for (int i = 0; i < skeleton.count; ++i) skeleton.at[i] = placeInScene(placement_, skeleton.at[i]);
+  showLinks(skeleton);
+  if (isScara())
+    showScaraJoints(skeleton);
+  else
+    showChainJoints(skeleton, q);
 }
 
 void ArmFigure::setTransparency(double transparency) {
@@ -109,10 +130,6 @@ void ArmFigure::setTransparency(double transparency) {
     material->transparency = value;
     material->specularColor = kGloss * (1 - value);  // or the gloss alone would whiten what is behind
   }
-}
-
-Vector3 ArmFigure::inWorld(const Vector3& p_B) const {
-  return placement_.position + placement_.scale * (placement_.rotation * p_B);
 }
 
 // The solid's y axis goes from one point to the other; its z axis is as near to `side` as it can be.
@@ -132,20 +149,34 @@ void ArmFigure::place(SoTransform* solid, const Vector3& from, const Vector3& to
   setIfChanged(solid->rotation, SbRotation(axes));
 }
 
-void ArmFigure::showLinks(const Points& p_W) const {
+void ArmFigure::showLinks(const ArmSkeleton& p_W) const {
   const Vector3 up = placement_.rotation.col(2);
-  for (std::size_t i = 0; i < links_.size(); ++i) place(links_[i], p_W[i], p_W[i + 1], up);
-  place(post_, p_W[0], p_W[0] + kPostLength * placement_.scale * up, placement_.rotation.col(0));
+  for (std::size_t i = 0; i < links_.size(); ++i) place(links_[i], p_W.at[i], p_W.at[i + 1], up);
+  place(post_, p_W.at[0], p_W.at[0] + kPostLength * placement_.scale * up, placement_.rotation.col(0));
 }
 
-void ArmFigure::showJoints(const Points& p_W) const {
+// Half of the housing lies to either side of the joint.
+void ArmFigure::placeHousing(SoTransform* housing, const Vector3& p_W, const Vector3& axis, double height,
+                             const Vector3& side) const {
+  const Vector3 half = axis * (placement_.scale * height / 2);
+  place(housing, p_W - half, p_W + half, side);
+}
+
+void ArmFigure::showScaraJoints(const ArmSkeleton& p_W) const {
   const Vector3 up = placement_.rotation.col(2);
-  const Vector3 rod = p_W[kWrist] - p_W[kWrist - 1];  // lies along the axes of joints 6, 7 and 8
+  const Vector3 rod = p_W.at[kWrist] - p_W.at[kWrist - 1];  // lies along the axes of joints 6, 7 and 8
   const Vector3 side = rod.norm() > 1e-9 ? rod.normalized() : Vector3(placement_.rotation.col(0));
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const bool lift = i > kElbow;
-    const Vector3 half = lift ? side * (kLiftHousing / 2) : up * (kScaraHousing / 2);
-    place(joints_[i], p_W[i] - placement_.scale * half, p_W[i] + placement_.scale * half, lift ? up : side);
+    placeHousing(joints_[i], p_W.at[i], lift ? side : up, lift ? kLiftHousing : kScaraHousing, lift ? up : side);
+  }
+}
+
+void ArmFigure::showChainJoints(const ArmSkeleton& p_W, const JointVector& q) const {
+  const Jacobian J = kinematics_.jacobian(q);
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const Vector3 axis = placement_.rotation * J.col(static_cast<Eigen::Index>(i)).tail<3>();
+    placeHousing(joints_[i], p_W.at[i], axis, kScaraHousing, axis.unitOrthogonal());
   }
 }
 

@@ -4,42 +4,45 @@
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoTransform.h>
 
-#include <array>
+#include <utility>
 #include <vector>
 
-#include "device/kinematics/Vishard10.h"
+#include "device/kinematics/ArmKinematics.h"
 #include "haptics/HapticScene.h"
 #include "scenegraph/NodeRef.h"
 
 namespace haptiv {
 
-/// VISHARD10 as solids: four flat SCARA links hanging from a post, the column down to the plane of the hand, and the
-/// lifting links with the rod to the ball. Slim and translucent, for it comes from above and must not hide the ball.
-/// Thread: GUI.
+/// The arm as solids. VISHARD10: four flat SCARA links hanging from a post, the column down to the plane of the hand,
+/// and the lifting links with the rod to the ball. Any other chain: tubes from joint to joint, and housings along the
+/// axes. Slim and translucent, for it comes from above and must not hide the ball. Thread: GUI.
 class ArmFigure {
  public:
   ArmFigure();
 
   SoSeparator* root() const { return root_.get(); }
-  void setUp(const DevicePlacement& placement, const LinkLengths& links);
+  void setUp(const DevicePlacement& placement, const DeviceDescription& description);
   void show(const JointVector& q);
   /// 0: solid, 1: not seen
   void setTransparency(double transparency);
 
  private:
-  using Points = std::array<Vector3, 10>;
-  void addPost();
-  void addLinks();
-  void addJoints();
+  void build();
+  void addLinks(int count);
+  void addJoints(int count);
   SoMaterial* addMaterial(SoSeparator* parent, const SbColor& color);
   SoTransform* addSolid(SoSeparator* parent, SoNode* shape);
-  void showLinks(const Points& p_W) const;
-  void showJoints(const Points& p_W) const;
+  bool isScara() const { return kinematics_.vishard10() != nullptr; }
+  void showLinks(const ArmSkeleton& p_W) const;
+  void showScaraJoints(const ArmSkeleton& p_W) const;
+  void showChainJoints(const ArmSkeleton& p_W, const JointVector& q) const;
   void place(SoTransform* solid, const Vector3& from, const Vector3& to, const Vector3& side) const;
-  Vector3 inWorld(const Vector3& p_B) const;
+  void placeHousing(SoTransform* housing, const Vector3& p_W, const Vector3& axis, double height,
+                    const Vector3& side) const;
 
-  Vishard10 kinematics_{LinkLengths{}};
+  ArmKinematics kinematics_{DeviceDescription{}};
   DevicePlacement placement_;
+  std::pair<bool, int> built_;  // what the solids are for: VISHARD10 or not, how many points in the skeleton
   NodeRef<SoSeparator> root_;
   SoSeparator* castings_;
   SoSeparator* tubes_;

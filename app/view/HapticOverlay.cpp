@@ -10,7 +10,7 @@
 #include "app/view/ArmFigure.h"
 #include "app/view/CoinValues.h"
 #include "app/view/ForceArrow.h"
-#include "haptics/DeviceFrames.h"
+#include "haptics/SessionStart.h"
 
 namespace haptiv {
 
@@ -65,16 +65,14 @@ HapticOverlay::~HapticOverlay() = default;
 
 void HapticOverlay::setUp(const HapticScene& scene, const DeviceDescription& description) {
   const Tool& tool = scene.tool;
-  const DevicePlacement& device = scene.device;
   setIfChanged(parts_->ball->radius, static_cast<float>(tool.radius));
   parts_->environmentArrow.setBallRadius(tool.radius);
   parts_->handArrow.setBallRadius(tool.radius);
-  parts_->arm.setUp(device, description.links);
+  parts_->arm.setUp(scene.device, description);
 
-  const Vector3 p_BT = placeInBase(device, tool.home);
   TickRecord atHome;
   atHome.position = tool.home;
-  atHome.jointAngles = Vishard10(description.links).inverse(p_BT, description.homeAngles);
+  atHome.jointAngles = sessionStart(scene, description).angles;
   show(atHome);
 }
 

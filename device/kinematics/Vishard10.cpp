@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -10,14 +11,6 @@ namespace haptiv {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-/// f1..f5, with fi = th1+..+thi: headings of the links in the plane [rad].
-std::array<double, 5> headings(const JointVector& q) noexcept {
-  std::array<double, 5> f{};
-  double sum = 0;
-  for (int i = 0; i < 5; ++i) f[i] = sum += q[i];
-  return f;
-}
 
 Matrix3 aboutX(double angle) noexcept {
   return Eigen::AngleAxisd(angle, Vector3::UnitX()).toRotationMatrix();
@@ -36,42 +29,74 @@ double reachAngle(double coordinate, double reach) noexcept {
   return std::acos(std::clamp(coordinate / reach, -1., 1.));
 }
 
-}  // namespace
+/// What pose and Jacobian are made of.
+struct Parts {
+  Parts(const LinkLengths& links, const JointVector& q) noexcept
+      : swing6(links.lift * std::sin(q[5])),
+        swing7(links.lift * std::sin(q[5] + q[6])),
+        rise6(links.lift * std::cos(q[5])),
+        rise7(links.lift * std::cos(q[5] + q[6])) {
+    double heading = 0;
+    for (int i = 0; i < 5; ++i) {
+      heading += q[i];
+      along[i] = Vector3(std::cos(heading), std::sin(heading), 0);
+    }
+    R_B8.col(0) = along[4];
+    R_B8.col(1) = Vector3(-along[4].y(), along[4].x(), 0);
+    R_B8.col(2) = Vector3::UnitZ();
+    R_B8 = R_B8 * aboutX(wristTilt(q));
+  }
 
-Pose Vishard10::forward(const JointVector& q) const noexcept {
-  const auto f = headings(q);
+  std::array<Vector3, 5> along;         // (cos fi, sin fi, 0)
+  double swing6, swing7, rise6, rise7;  // of links 6 and 7: across x of link 5, and up [m]
+  Matrix3 R_B8;                         // Rz(f5) Rx(th8*)
+};
+
+Pose poseOf(const LinkLengths& links, const Parts& parts, const JointVector& q) noexcept {
   Pose X_BT;
-  for (int i = 0; i < 4; ++i) X_BT.position += links_.scara * Vector3(std::cos(f[i]), std::sin(f[i]), 0);
-  const double swing = links_.lift * (std::sin(q[5]) + std::sin(q[5] + q[6]));
-  X_BT.position += swing * Vector3(std::sin(f[4]), -std::cos(f[4]), 0);
-  X_BT.position.z() = links_.lift * (std::cos(q[5]) + std::cos(q[5] + q[6]));
-  X_BT.rotation = aboutZ(f[4]) * aboutX(wristTilt(q)) * aboutZ(q[8]) * aboutX(q[9]);
+  for (int i = 0; i < 4; ++i) X_BT.position += links.scara * parts.along[i];
+  const Vector3& along5 = parts.along[4];
+  X_BT.position += (parts.swing6 + parts.swing7) * Vector3(along5.y(), -along5.x(), 0);
+  X_BT.position.z() = parts.rise6 + parts.rise7;
+  X_BT.rotation = parts.R_B8 * aboutZ(q[8]) * aboutX(q[9]);
   return X_BT;
 }
 
-Jacobian Vishard10::jacobian(const JointVector& q) const noexcept {
-  const auto f = headings(q);
-  const double c = std::cos(f[4]);
-  const double s = std::sin(f[4]);
-  const double sin6 = links_.lift * std::sin(q[5]), sin7 = links_.lift * std::sin(q[5] + q[6]);
-  const double cos6 = links_.lift * std::cos(q[5]), cos7 = links_.lift * std::cos(q[5] + q[6]);
+Jacobian jacobianOf(const LinkLengths& links, const Parts& parts, const JointVector& q) noexcept {
+  const Vector3& along5 = parts.along[4];
+  const Vector3 across5(along5.y(), -along5.x(), 0);
+  const auto lifted = [&](double rise, double swing) { return Vector3(rise * across5 - swing * Vector3::UnitZ()); };
 
   Jacobian J = Jacobian::Zero();
   auto linear = J.topRows<3>();
-  linear.col(4) = (sin6 + sin7) * Vector3(c, s, 0);
+  linear.col(4) = (parts.swing6 + parts.swing7) * along5;
   for (int i = 3; i >= 0; --i) {  // joint i moves what joint i+1 moves, and link i
-    linear.col(i) = linear.col(i + 1) + links_.scara * Vector3(-std::sin(f[i]), std::cos(f[i]), 0);
+    linear.col(i) = linear.col(i + 1) + links.scara * Vector3(-parts.along[i].y(), parts.along[i].x(), 0);
   }
-  linear.col(5) = Vector3((cos6 + cos7) * s, -(cos6 + cos7) * c, -(sin6 + sin7));
-  linear.col(6) = Vector3(cos7 * s, -cos7 * c, -sin7);
+  linear.col(5) = lifted(parts.rise6 + parts.rise7, parts.swing6 + parts.swing7);
+  linear.col(6) = lifted(parts.rise7, parts.swing7);
 
   auto angular = J.bottomRows<3>();
-  const Matrix3 R_B8 = aboutZ(f[4]) * aboutX(wristTilt(q));
   angular.leftCols<5>().row(2).setOnes();
-  angular.middleCols<3>(5).colwise() = Vector3(c, s, 0);
-  angular.col(8) = R_B8.col(2);
-  angular.col(9) = R_B8 * Vector3(std::cos(q[8]), std::sin(q[8]), 0);
+  angular.middleCols<3>(5).colwise() = along5;
+  angular.col(8) = parts.R_B8.col(2);
+  angular.col(9) = parts.R_B8 * Vector3(std::cos(q[8]), std::sin(q[8]), 0);
   return J;
+}
+
+}  // namespace
+
+Pose Vishard10::forward(const JointVector& q) const noexcept {
+  return poseOf(links_, Parts(links_, q), q);
+}
+
+Jacobian Vishard10::jacobian(const JointVector& q) const noexcept {
+  return jacobianOf(links_, Parts(links_, q), q);
+}
+
+ArmPose Vishard10::evaluate(const JointVector& q) const noexcept {
+  const Parts parts(links_, q);
+  return {poseOf(links_, parts, q), jacobianOf(links_, parts, q)};
 }
 
 JointVector Vishard10::inverse(const Vector3& p_BT, const JointVector& like) const noexcept {
@@ -89,18 +114,20 @@ JointVector Vishard10::inverse(const Vector3& p_BT, const JointVector& like) con
   return q;
 }
 
-std::array<Vector3, 10> Vishard10::skeleton(const JointVector& q) const noexcept {
-  const auto f = headings(q);
-  const Matrix3 R_B5 = aboutZ(f[4]);
-  std::array<Vector3, 10> at;
+ArmSkeleton Vishard10::skeleton(const JointVector& q) const noexcept {
+  const Parts parts(links_, q);
+  const Vector3 across5(parts.along[4].y(), -parts.along[4].x(), 0);
+  ArmSkeleton skeleton;
+  skeleton.count = 10;
+  auto& at = skeleton.at;
   at[0] = Vector3(0, 0, links_.scaraHeight);
-  for (int i = 0; i < 4; ++i) at[i + 1] = at[i] + links_.scara * Vector3(std::cos(f[i]), std::sin(f[i]), 0);
-  at[5] = at[4] + links_.forearm * R_B5.col(0);
+  for (int i = 0; i < 4; ++i) at[i + 1] = at[i] + links_.scara * parts.along[i];
+  at[5] = at[4] + links_.forearm * parts.along[4];
   at[6] = at[5] - links_.scaraHeight * Vector3::UnitZ();
-  at[7] = at[6] + links_.lift * (R_B5 * aboutX(q[5])).col(2);
-  at[8] = at[7] + links_.lift * (R_B5 * aboutX(q[5] + q[6])).col(2);
-  at[9] = at[8] - links_.forearm * R_B5.col(0);
-  return at;
+  at[7] = at[6] + parts.swing6 * across5 + parts.rise6 * Vector3::UnitZ();
+  at[8] = at[7] + parts.swing7 * across5 + parts.rise7 * Vector3::UnitZ();
+  at[9] = at[8] - links_.forearm * parts.along[4];
+  return skeleton;
 }
 
 }  // namespace haptiv

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "device/kinematics/Vishard10.h"
+#include "device/kinematics/ArmKinematics.h"
 #include "device/simulated/Encoder.h"
 #include "device/simulated/ForceTorqueSensor.h"
 #include "device/simulated/HumanHand.h"
@@ -55,7 +55,7 @@ struct SimulatedDevice::Parts {
   Parts(const DeviceDescription& newDescription, const JointVector& start, std::unique_ptr<HandSource> hand,
         std::uint64_t newSeed)
       : description(newDescription),
-        arm(newDescription.links),
+        arm(newDescription),
         source(std::move(hand)),
         seed(newSeed),
         startAngles(start),
@@ -77,7 +77,7 @@ struct SimulatedDevice::Parts {
   void measure() noexcept;
 
   DeviceDescription description;
-  Vishard10 arm;
+  ArmKinematics arm;
   std::unique_ptr<HandSource> source;
   std::uint64_t seed;
   JointVector startAngles;
@@ -106,8 +106,9 @@ void SimulatedDevice::Parts::advance(const DeviceCommand& command) noexcept {
 
 void SimulatedDevice::Parts::step(const JointVector& setPoints, const HandTarget& target, double dt) noexcept {
   const JointVector q = motion.angles();
-  const auto J_linear = arm.jacobian(q).topRows<3>().eval();
-  motion.handForce = motion.hand.pull(target, arm.forward(q).position, J_linear * motion.rates(), dt);
+  const ArmPose at = arm.evaluate(q);
+  const auto J_linear = at.J_BT.topRows<3>();
+  motion.handForce = motion.hand.pull(target, at.X_BT.position, J_linear * motion.rates(), dt);
   const JointVector load = J_linear.transpose() * motion.handForce;
   for (int i = 0; i < kJointCount; ++i) motion.drives[i].advance(setPoints[i], load[i], dt);
 }
