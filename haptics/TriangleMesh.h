@@ -2,18 +2,36 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "device/types.h"
 
 namespace haptiv {
 
-/// A surface of triangles, in W. Immutable once it stands in a scene.
+/// A surface of triangles, in W. Immutable once it stands in a scene; made by makeTriangleMesh.
 struct TriangleMesh {
   using Triangle = std::array<std::uint32_t, 3>;  ///< indices into `vertices`, counter-clockwise seen from outside
 
-  std::vector<Vector3> vertices;  ///< [m]; corners on one spot are one vertex
-  std::vector<Triangle> triangles;
+  std::vector<Vector3> vertices;    ///< [m]; corners on one spot are one vertex
+  std::vector<Triangle> triangles;  ///< neighbours in space are near each other here too
+  bool closed = false;              ///< bounds a volume: every edge is passed as often one way as the other
+
+  const Vector3& corner(std::size_t triangle, std::size_t i) const noexcept { return vertices[triangles[triangle][i]]; }
 };
+
+/// A mesh of triangles as they come from a file.
+///
+/// Corners nearer to each other than a millionth of the mesh's size, or than single precision tells apart, become one
+/// vertex. Triangles that have two corners on one spot, corners that are not finite, or indices beyond the vertices,
+/// are dropped; so are vertices that no triangle has. A closed mesh whose triangles face inwards is turned inside out.
+/// The same input gives the same mesh. O(n log n); null where no triangle is left.
+std::shared_ptr<const TriangleMesh> makeTriangleMesh(const std::vector<Vector3>& vertices,
+                                                     const std::vector<TriangleMesh::Triangle>& triangles);
+
+/// A mesh of vertices and triangles that were once made by makeTriangleMesh: they are kept as they are, so that a log
+/// re-simulates bit for bit. Indices must be in range.
+std::shared_ptr<const TriangleMesh> restoreTriangleMesh(std::vector<Vector3> vertices,
+                                                        std::vector<TriangleMesh::Triangle> triangles);
 
 }  // namespace haptiv
