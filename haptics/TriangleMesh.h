@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "device/types.h"
+#include "haptics/index/BoundingTree.h"
 
 namespace haptiv {
 
@@ -16,6 +17,8 @@ struct TriangleMesh {
   std::vector<Vector3> vertices;    ///< [m]; corners on one spot are one vertex
   std::vector<Triangle> triangles;  ///< neighbours in space are near each other here too
   bool closed = false;              ///< bounds a volume: every edge is passed as often one way as the other
+  Bounds bounds;                    ///< around all of it
+  BoundingTree tree;                ///< finds triangles near a place
 
   const Vector3& corner(std::size_t triangle, std::size_t i) const noexcept { return vertices[triangles[triangle][i]]; }
 };

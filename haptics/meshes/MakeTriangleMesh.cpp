@@ -28,21 +28,27 @@ std::vector<Triangle> soundOnes(const std::vector<Vector3>& vertices, const std:
   return sound;
 }
 
-/// Box around the corners.
-std::pair<Vector3, Vector3> extent(const std::vector<Vector3>& vertices, const std::vector<Triangle>& triangles) {
-  Vector3 low = vertices[triangles.front()[0]], high = low;
-  for (const Triangle& triangle : triangles) {
-    for (const std::uint32_t corner : triangle) {
-      low = low.cwiseMin(vertices[corner]);
-      high = high.cwiseMax(vertices[corner]);
-    }
-  }
-  return {low, high};
+Bounds around(const std::vector<Vector3>& vertices, const Triangle& triangle) {
+  const Vector3 &a = vertices[triangle[0]], &b = vertices[triangle[1]], &c = vertices[triangle[2]];
+  return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
 }
 
-double weldingTolerance(const Vector3& low, const Vector3& high) {
-  return std::max(kOfSize * (high - low).norm(),
-                  kOfNumbers * std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()));
+Bounds around(const std::vector<Bounds>& boxes) {
+  Bounds all = boxes.front();
+  for (const Bounds& box : boxes) all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
+  return all;
+}
+
+std::vector<Bounds> boxesOf(const std::vector<Vector3>& vertices, const std::vector<Triangle>& triangles) {
+  std::vector<Bounds> boxes;
+  boxes.reserve(triangles.size());
+  for (const Triangle& triangle : triangles) boxes.push_back(around(vertices, triangle));
+  return boxes;
+}
+
+double weldingTolerance(const Bounds& all) {
+  const double numbers = std::max(all.low.cwiseAbs().maxCoeff(), all.high.cwiseAbs().maxCoeff());
+  return std::max(kOfSize * (all.high - all.low).norm(), kOfNumbers * numbers);
 }
 
 }  // namespace
@@ -51,9 +57,8 @@ std::shared_ptr<const TriangleMesh> makeTriangleMesh(const std::vector<Vector3>&
                                                      const std::vector<Triangle>& triangles) {
   std::vector<Triangle> kept = soundOnes(vertices, triangles);
   if (kept.empty()) return nullptr;
-  const auto [low, high] = extent(vertices, kept);
   std::vector<Vector3> welded = vertices;
-  weldVertices(welded, kept, weldingTolerance(low, high));
+  weldVertices(welded, kept, weldingTolerance(around(boxesOf(vertices, kept))));
   orderTriangles(welded, kept);
   if (kept.empty()) return nullptr;
   if (hasNoRim(kept) && volumeWithin(welded, kept) < 0) {
@@ -66,8 +71,10 @@ std::shared_ptr<const TriangleMesh> restoreTriangleMesh(std::vector<Vector3> ver
                                                         std::vector<Triangle> triangles) {
   if (triangles.empty()) return nullptr;
   auto mesh = std::make_shared<TriangleMesh>();
-  const auto [low, high] = extent(vertices, triangles);
-  const double size = (high - low).norm();
+  const std::vector<Bounds> boxes = boxesOf(vertices, triangles);
+  mesh->bounds = around(boxes);
+  mesh->tree = BoundingTree(boxes);
+  const double size = (mesh->bounds.high - mesh->bounds.low).norm();
   mesh->closed = hasNoRim(triangles) && volumeWithin(vertices, triangles) > 1e-12 * size * size * size;
   mesh->vertices = std::move(vertices);
   mesh->triangles = std::move(triangles);
