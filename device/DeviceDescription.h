@@ -5,6 +5,7 @@
 
 #include "device/HapticDevice.h"
 #include "device/kinematics/ChainGeometry.h"
+#include "device/redundancy/RedundancySettings.h"
 #include "device/types.h"
 
 namespace haptiv {
@@ -70,6 +71,7 @@ struct DeviceDescription {
   HandleSensor sensor;
   HandModel hand;
   ControlSettings control;
+  RedundancySettings redundancy;
   JointVector homeAngles = JointVector::Zero();  ///< gives orientation and elbow side at the start of a session
   std::string text;                              ///< the file it came from, for the session log
 

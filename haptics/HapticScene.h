@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "device/redundancy/ResolutionChoice.h"
 #include "device/types.h"
 #include "haptics/TriangleMesh.h"
 #include "haptics/index/BoundingTree.h"
@@ -80,6 +82,8 @@ struct HapticScene {
   std::uint32_t version = 0;  ///< counts the compilations within a session
   Tool tool;
   DevicePlacement device;
+  /// How the operator wants the redundancy resolved; without a choice, as the device description says. Not of the .iv.
+  std::optional<ResolutionChoice> resolution;
   std::vector<Wall> walls;
   std::vector<Zone> zones;
   BoundingTree wallTree;  ///< derived by computeBounds: item i is walls[i]

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "device/redundancy/DriftCorrection.h"
 #include "device/redundancy/JointLimiter.h"
-#include "device/redundancy/RedundancyResolution.h"
 #include "haptics/DeviceFrames.h"
 #include "haptics/FreeMotion.h"
 #include "haptics/Zones.h"
@@ -42,7 +42,7 @@ struct HapticTick::Measured {
 };
 
 HapticTick::HapticTick(const DeviceDescription& description, double period)
-    : description_(description), arm_(description), period_(period) {
+    : description_(description), arm_(description), resolution_(description), period_(period) {
   const HandleSensor& sensor = description.sensor;
   const std::int32_t force = lastCount(sensor.forceRange, sensor.forceResolution);
   const std::int32_t torque = lastCount(sensor.torqueRange, sensor.torqueResolution);
@@ -99,7 +99,8 @@ void HapticTick::move(const HapticScene& scene, const Measured& measured, TickSt
   const ArmPose arm = arm_.evaluate(state.desiredAngles);
   Vector6 twist = driftCorrection(wanted, arm.X_BT, description_.control.driftGain);
   twist.head<3>() += device.rotation.transpose() * velocity / device.scale;
-  const JointVector rates = leastNormRates(arm.J_BT, twist, description_.control);
+  const JointVector rates = resolution_.rates(scene.resolution.value_or(description_.redundancy.choice),
+                                              state.desiredAngles, arm.J_BT, twist, period_);
   const double slowed = slowDownFactor(rates, rateLimit);
 
   const JointVector error = state.desiredAngles - measured.angles;

@@ -5,6 +5,7 @@
 
 #include "device/DeviceDescription.h"
 #include "device/kinematics/ArmKinematics.h"
+#include "device/redundancy/RedundancyResolution.h"
 #include "haptics/Admittance.h"
 #include "haptics/HapticScene.h"
 #include "haptics/IfThenRenderer.h"
@@ -52,6 +53,7 @@ class HapticTick {
 
   DeviceDescription description_;
   ArmKinematics arm_;
+  RedundancyResolution resolution_;
   double period_;
   std::array<std::int32_t, 6> saturation_{};  ///< sensor counts at the end of the range
 };

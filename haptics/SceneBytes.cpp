@@ -10,7 +10,8 @@ namespace haptiv {
 namespace {
 
 constexpr std::string_view kMagic = "HAPTSCN1";
-constexpr std::uint32_t kFormat = 1;
+constexpr std::uint32_t kFormat = 2;  // 2 adds the choice of a resolution; 1 is still read
+constexpr std::uint8_t kAsDescribed = 255;
 constexpr std::size_t kShapeSize = 1 + 12 * 8;
 constexpr std::size_t kWallSize = 4 + kShapeSize + 5 * 8;
 constexpr std::size_t kZoneSize = 4 + 1 + kShapeSize + 6 * 8;
@@ -145,11 +146,25 @@ Zone readZone(Reader& in) {
   return zone;
 }
 
+void write(Writer& out, const std::optional<ResolutionChoice>& choice) {
+  out.u8(choice ? static_cast<std::uint8_t>(choice->strategy) : kAsDescribed);
+  out.u8(choice ? static_cast<std::uint8_t>(choice->solution) : kAsDescribed);
+}
+
+std::optional<ResolutionChoice> readResolution(Reader& in) {
+  const std::uint8_t strategy = in.u8();
+  const std::uint8_t solution = in.u8();
+  if (strategy == kAsDescribed && solution == kAsDescribed) return {};
+  if (strategy > static_cast<std::uint8_t>(Strategy::cond)) in.fail("unknown strategy of the redundancy");
+  if (solution > static_cast<std::uint8_t>(Solution::partitioned)) in.fail("unknown solution of the redundancy");
+  return ResolutionChoice{static_cast<Strategy>(strategy), static_cast<Solution>(solution)};
+}
+
 void readHead(Reader& in, HapticScene& scene) {
   if (in.left() < kMagic.size() || in.text(kMagic.size()) != kMagic) in.fail("this is no compiled scene");
   const std::uint32_t format = in.u32();
-  if (format != kFormat) {
-    in.fail("format " + std::to_string(format) + ", while this program reads format " + std::to_string(kFormat));
+  if (format < 1 || format > kFormat) {
+    in.fail("format " + std::to_string(format) + ", while this program reads up to format " + std::to_string(kFormat));
   }
   scene.version = in.u32();
   scene.tool.mass = in.positive("the tool's mass");
@@ -160,6 +175,8 @@ void readHead(Reader& in, HapticScene& scene) {
   in.matrix(scene.device.position);
   in.matrix(scene.device.rotation);
   scene.device.scale = in.positive("the device's scale");
+  // Programs of format 1 knew the least-norm solution alone.
+  scene.resolution = format == 1 ? ResolutionChoice{} : readResolution(in);
 }
 
 }  // namespace
@@ -176,6 +193,7 @@ std::vector<std::byte> toBytes(const HapticScene& scene) {
   out.matrix(scene.device.position);
   out.matrix(scene.device.rotation);
   out.f64(scene.device.scale);
+  write(out, scene.resolution);
   out.u32(static_cast<std::uint32_t>(scene.walls.size()));
   for (const Wall& wall : scene.walls) write(out, wall);
   out.u32(static_cast<std::uint32_t>(scene.zones.size()));

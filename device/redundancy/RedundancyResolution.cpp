@@ -1,44 +1,16 @@
 #include "device/redundancy/RedundancyResolution.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
+#include "device/redundancy/LeastNorm.h"
 
 namespace haptiv {
 
-namespace {
+RedundancyResolution::RedundancyResolution(const DeviceDescription& description)
+    : settings_(description.redundancy), control_(description.control) {}
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
-/// mu^2 = mu_max^2 (1 - w/w0)^2 below the threshold w0, zero above: once differentiable, so rates have no step.
-double squaredDamping(double manipulability, const ControlSettings& control) noexcept {
-  const double closeness = std::max(0., 1 - manipulability / control.singularityThreshold);
-  const double mu = control.singularityDamping * closeness;
-  return mu * mu;
-}
-
-}  // namespace
-
-JointVector leastNormRates(const Jacobian& J, const Vector6& twist, const ControlSettings& control) noexcept {
-  Matrix6 gram = J * J.transpose();
-  Eigen::LDLT<Matrix6> factors(gram);
-  // Rounding can leave a pivot of a singular pose slightly negative.
-  const double manipulability = std::sqrt(factors.vectorD().cwiseMax(0.).prod());
-  const double damping = squaredDamping(manipulability, control);
-  if (damping > 0) {
-    gram.diagonal().array() += damping;
-    factors.compute(gram);
-  }
-  return J.transpose() * factors.solve(twist);
-}
-
-Vector6 driftCorrection(const Pose& desired, const Pose& actual, double gain) noexcept {
-  // AngleAxis goes by way of a quaternion and atan2: exact near zero and near half a turn.
-  const Eigen::AngleAxisd turn(Matrix3(desired.rotation * actual.rotation.transpose()));
-  Vector6 twist;
-  twist << desired.position - actual.position, turn.angle() * turn.axis();
-  return gain * twist;
+JointVector RedundancyResolution::rates(const ResolutionChoice&, const JointVector&, const Jacobian& J,
+                                        const Vector6& twist, double) const noexcept {
+  const JointVector rates = leastNormRates(J, twist, control_);
+  return rates.allFinite() ? rates : JointVector::Zero();
 }
 
 }  // namespace haptiv

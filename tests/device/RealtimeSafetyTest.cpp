@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "device/kinematics/Vishard10.h"
+#include "device/redundancy/DriftCorrection.h"
 #include "device/redundancy/JointLimiter.h"
-#include "device/redundancy/RedundancyResolution.h"
+#include "device/redundancy/LeastNorm.h"
 #include "device/simulated/ScriptedHand.h"
 #include "device/simulated/SimulatedDevice.h"
 

@@ -20,6 +20,7 @@ HapticScene richScene() {
   scene.version = 42;
   scene.tool = {2.5, 4, 0.015, {0.1, 0.2, 0.3}};
   scene.device = {"arm.toml", random.vector(1), random.rotation(), 1.5};
+  scene.resolution = ResolutionChoice{Strategy::cond, Solution::partitioned};
   for (int i = 0; i < 8; ++i) {
     Wall wall;
     wall.id = static_cast<ShapeId>(100 + i);
@@ -54,6 +55,7 @@ TEST(SceneBytes, ReadBackToTheSameScene) {
   EXPECT_EQ(read.tool.home, scene.tool.home);
   EXPECT_EQ(read.device.description, "arm.toml");
   EXPECT_EQ(read.device.rotation, scene.device.rotation);
+  EXPECT_EQ(read.resolution, scene.resolution);
   ASSERT_EQ(read.walls.size(), 8u);
   EXPECT_EQ(read.walls[7].id, 107u);
   EXPECT_EQ(read.walls[7].shape.kind, Shape::Kind::cone);
@@ -67,7 +69,18 @@ TEST(SceneBytes, ReadBackToTheSameScene) {
 }
 
 TEST(SceneBytes, ReadAnEmptyScene) {
-  EXPECT_EQ(sceneFromBytes(toBytes({})).walls.size(), 0u);
+  const HapticScene read = sceneFromBytes(toBytes({}));
+  EXPECT_EQ(read.walls.size(), 0u);
+  EXPECT_FALSE(read.resolution);
+}
+
+/// Format 1 had no choice of a resolution, and arms moved by least norm.
+TEST(SceneBytes, ReadTheFirstFormat) {
+  std::vector<std::byte> bytes = toBytes({});
+  const std::size_t counts = 2 * sizeof(std::uint32_t), choice = 2;
+  bytes.erase(bytes.end() - counts - choice, bytes.end() - counts);
+  bytes[8] = std::byte{1};
+  EXPECT_EQ(sceneFromBytes(bytes).resolution, ResolutionChoice{});
 }
 
 TEST(SceneBytes, RefuseEveryCutOffScene) {

@@ -1,4 +1,5 @@
-#include "device/redundancy/RedundancyResolution.h"
+#include "device/redundancy/DriftCorrection.h"
+#include "device/redundancy/LeastNorm.h"
 
 #include <gtest/gtest.h>
 
