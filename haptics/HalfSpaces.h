@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "device/types.h"
@@ -9,9 +10,9 @@ namespace haptiv {
 /// Half spaces normal . x >= offset, in W, in which a point may be.
 template <int Capacity>
 struct HalfSpaces {
-  std::array<Vector3, Capacity> normal;   ///< unit
-  std::array<double, Capacity> offset{};  ///< [m]
-  std::array<double, Capacity> share{};   ///< out: of the way back to them, along the normal, >= 0 [m]
+  std::array<Vector3, Capacity> normal;  ///< unit
+  std::array<double, Capacity> offset;   ///< [m]
+  std::array<double, Capacity> share;    ///< out: of the way back to them, along the normal, >= 0 [m]
   int count = 0;
 
   void add(const Vector3& unitNormal, double newOffset) noexcept {
@@ -24,7 +25,7 @@ struct HalfSpaces {
   /// Exact for one plane and for orthogonal ones, geometrically convergent for others. Where no point is in all of
   /// them (a gap narrower than the ball) the result is some point between. Realtime-safe: yes.
   Vector3 nearest(const Vector3& p) noexcept {
-    share.fill(0);
+    std::fill_n(share.begin(), count, 0.0);
     Vector3 x = p;
     for (int pass = 0; pass < kPasses; ++pass) {
       double moved = 0;

@@ -9,7 +9,7 @@
 #include "device/redundancy/ResolutionChoice.h"
 #include "device/types.h"
 #include "haptics/TriangleMesh.h"
-#include "haptics/index/BoundingTree.h"
+#include "haptics/index/ShapeIndex.h"
 
 namespace haptiv {
 
@@ -86,11 +86,11 @@ struct HapticScene {
   std::optional<ResolutionChoice> resolution;
   std::vector<Wall> walls;
   std::vector<Zone> zones;
-  BoundingTree wallTree;  ///< derived by computeBounds: item i is walls[i]
-  BoundingTree zoneTree;  ///< derived by computeBounds: item i is zones[i]
+  ShapeIndex wallIndex;  ///< derived by computeBounds
+  ShapeIndex zoneIndex;  ///< derived by computeBounds
 };
 
-/// Makes the trees by which the servo finds what is near. Whoever builds a scene calls this last; where it was
+/// Makes the indices by which the servo finds what is near. Whoever builds a scene calls this last; where it was
 /// forgotten (the numbers do not match), every shape is measured in every tick: slow, and right all the same.
 void computeBounds(HapticScene& scene);
 

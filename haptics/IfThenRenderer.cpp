@@ -14,9 +14,8 @@ using Planes = HalfSpaces<kMax>;
 const Wall* findWall(const HapticScene& scene, const Contact& contact) noexcept {
   const auto hint = static_cast<std::size_t>(contact.wall);
   if (hint < scene.walls.size() && scene.walls[hint].id == contact.id) return &scene.walls[hint];
-  const auto found =
-      std::find_if(scene.walls.begin(), scene.walls.end(), [&](const Wall& wall) { return wall.id == contact.id; });
-  return found == scene.walls.end() ? nullptr : &*found;
+  const std::size_t found = findShape(scene.walls, scene.wallIndex, contact.id);
+  return found < scene.walls.size() ? &scene.walls[found] : nullptr;
 }
 
 /// Where the walls of the last tick's contacts are now: an edit may have moved or removed them.
@@ -47,55 +46,70 @@ Vector3 rememberedPlace(const Vector3& position, const ContactSet& contacts) noe
   return planes.nearest(position);
 }
 
-/// The walls around that place as half spaces for the ball's centre, by rising index; the nearest kMaxContacts of them.
-ContactSet wallsAround(const HapticScene& scene, const Vector3& place, double radius) noexcept {
-  ContactSet near;
-  std::array<double, kMax> distance{};
-  const auto farther = [&](std::size_t a, std::size_t b) {
-    return distance[a] != distance[b] ? distance[a] > distance[b] : near.contact[a].wall > near.contact[b].wall;
-  };
-  forEachNear(scene.walls, scene.wallTree, place, 2 * radius, [&](std::size_t wall, const SurfacePoint& surface) {
-    const auto index = static_cast<std::int32_t>(wall);
-    auto slot = static_cast<std::size_t>(near.count);
-    if (near.count == kMax) {
-      slot = 0;
-      for (std::size_t i = 1; i < kMax; ++i) slot = farther(i, slot) ? i : slot;
-      if (distance[slot] < surface.distance) return;
-      if (distance[slot] == surface.distance && near.contact[slot].wall < index) return;
-    } else {
-      ++near.count;
+/// A wall near the ball, measured from the remembered place.
+struct NearWall {
+  std::int32_t wall;
+  int face;
+  double distance;  ///< [m]
+  Vector3 normal;
+};
+
+/// The nearest kMaxContacts of them, by rising number: the same ones in whatever order they are found.
+struct NearWalls {
+  std::array<NearWall, kMax> wall;
+  std::size_t count = 0;
+
+  void take(const NearWall& found) noexcept {
+    if (count == kMax && !makeRoom(found)) return;
+    std::size_t at = count++;
+    for (; at > 0 && wall[at - 1].wall > found.wall; --at) wall[at] = wall[at - 1];
+    wall[at] = found;
+  }
+
+ private:
+  /// Drops the farthest; of equally far ones, the last.
+  bool makeRoom(const NearWall& found) noexcept {
+    std::size_t farthest = 0;
+    for (std::size_t i = 1; i < count; ++i) {
+      if (wall[i].distance >= wall[farthest].distance) farthest = i;
     }
-    distance[slot] = surface.distance;
-    Contact& contact = near.contact[slot];
-    contact.id = scene.walls[wall].id;
-    contact.wall = index;
-    contact.face = surface.face;
-    contact.normal = surface.normal;
-    contact.offset = surface.normal.dot(place) + radius - surface.distance;
+    const double most = wall[farthest].distance;
+    if (found.distance > most || (found.distance == most && found.wall > wall[farthest].wall)) return false;
+    --count;
+    for (std::size_t i = farthest; i < count; ++i) wall[i] = wall[i + 1];
+    return true;
+  }
+};
+
+void findNear(const HapticScene& scene, const Vector3& place, double reach, NearWalls& near) noexcept {
+  forEachNear(scene.walls, scene.wallIndex, place, reach, [&](std::size_t wall, const SurfacePoint& surface) {
+    near.take({static_cast<std::int32_t>(wall), surface.face, surface.distance, surface.normal});
   });
-  std::sort(near.contact.begin(), near.contact.begin() + near.count,
-            [](const Contact& a, const Contact& b) { return a.wall < b.wall; });
-  return near;
 }
 
-/// Keeps the walls that hold the ball back, each with its share of the depth; but none is felt deeper than the ball is
-/// in it: in a gap narrower than the ball the shares have no meaning.
-void keepTouching(const ToolMotion& tool, ContactSet& contacts) noexcept {
+/// The walls around `place` as half spaces for the ball's centre. Those that hold the ball back become its contacts,
+/// each with its share of the depth; but none is felt deeper than the ball is in it: in a gap narrower than the ball
+/// the shares have no meaning.
+void touch(const HapticScene& scene, const NearWalls& near, const Vector3& place, const ToolMotion& tool,
+           ContactSet& contacts) noexcept {
   Planes planes;
-  for (int i = 0; i < contacts.count; ++i) {
-    const Contact& contact = contacts.contact[static_cast<std::size_t>(i)];
-    planes.add(contact.normal, contact.offset);
+  for (std::size_t i = 0; i < near.count; ++i) {
+    const NearWall& each = near.wall[i];
+    planes.add(each.normal, each.normal.dot(place) + tool.radius - each.distance);
   }
   contacts.surfacePosition = planes.nearest(tool.position);
-  int kept = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(planes.count); ++i) {
-    Contact contact = contacts.contact[i];
+  contacts.count = 0;
+  for (std::size_t i = 0; i < near.count; ++i) {
     if (!(planes.share[i] > 0)) continue;
-    const double depth = contact.offset - contact.normal.dot(tool.position);
-    contact.depth = std::clamp(depth, 0.0, planes.share[i]);
-    contacts.contact[static_cast<std::size_t>(kept++)] = contact;
+    const NearWall& each = near.wall[i];
+    Contact& contact = contacts.contact[static_cast<std::size_t>(contacts.count++)];
+    contact.id = scene.walls[static_cast<std::size_t>(each.wall)].id;
+    contact.wall = each.wall;
+    contact.face = each.face;
+    contact.normal = each.normal;
+    contact.offset = planes.offset[i];
+    contact.depth = std::clamp(contact.offset - contact.normal.dot(tool.position), 0.0, planes.share[i]);
   }
-  contacts.count = kept;
 }
 
 /// Eqs. (26), (27) along one normal.
@@ -108,14 +122,15 @@ Vector3 wallLaw(const SurfaceProperties& surface, const Contact& contact, const 
 
 Vector3 renderWalls(const HapticScene& scene, const ToolMotion& tool, ContactSet& contacts) noexcept {
   if (contacts.sceneVersion != scene.version) followEdit(scene, tool, contacts);
-  contacts = wallsAround(scene, rememberedPlace(tool.position, contacts), tool.radius);
   contacts.sceneVersion = scene.version;
-  keepTouching(tool, contacts);
+  const Vector3 place = rememberedPlace(tool.position, contacts);
+  NearWalls near;
+  findNear(scene, place, 2 * tool.radius, near);
+  touch(scene, near, place, tool, contacts);
   Vector3 sum = Vector3::Zero();
   for (int i = 0; i < contacts.count; ++i) {
     Contact& contact = contacts.contact[static_cast<std::size_t>(i)];
-    const auto wall = static_cast<std::size_t>(contact.wall);
-    contact.force = wallLaw(scene.walls[wall].surface, contact, tool.velocity);
+    contact.force = wallLaw(scene.walls[static_cast<std::size_t>(contact.wall)].surface, contact, tool.velocity);
     sum += contact.force;
   }
   return sum;

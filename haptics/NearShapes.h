@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "haptics/ShapeDistance.h"
+#include "haptics/shapes/StraightBoxSurface.h"
 
 namespace haptiv {
 
@@ -11,17 +13,37 @@ namespace haptiv {
 /// has p_W inside. In no particular order, though always in the same one. Realtime-safe: yes, where computeBounds was
 /// called or not.
 template <typename Felt, typename Visit>
-void forEachNear(const std::vector<Felt>& shapes, const BoundingTree& tree, const Vector3& p_W, double reach,
+void forEachNear(const std::vector<Felt>& shapes, const ShapeIndex& index, const Vector3& p_W, double reach,
                  Visit&& visit) noexcept {
-  const auto measure = [&](std::size_t i) {
-    const SurfacePoint surface = nearestSurface(shapes[i].shape, p_W);
-    if (surface.distance < reach) visit(i, surface);
+  const auto measure = [&](std::size_t shape) {
+    const SurfacePoint surface = nearestSurface(shapes[shape].shape, p_W);
+    if (surface.distance < reach) visit(shape, surface);
   };
-  if (tree.size() == shapes.size()) {
-    tree.forEachNear(p_W, reach, measure);
-  } else {
+  if (index.tree.size() != shapes.size()) {
     for (std::size_t i = 0; i < shapes.size(); ++i) measure(i);
+    return;
   }
+  index.tree.forEachNear(p_W, reach, [&](std::uint32_t item) {
+    const ShapeIndex::Entry& entry = index.entries[item];
+    if (!entry.isStraight) return measure(entry.shape);
+    const BesideBox point(entry.box, p_W);
+    if (!(point.gap.maxCoeff() < reach)) return;
+    const SurfacePoint surface = nearestOnStraightBox(entry.box, point);
+    if (surface.distance < reach) visit(std::size_t{entry.shape}, surface);
+  });
+}
+
+/// The number of the wall or zone with this id; shapes.size() where there is none. Realtime-safe: yes; it searches
+/// through all of them only where computeBounds was forgotten.
+template <typename Felt>
+std::size_t findShape(const std::vector<Felt>& shapes, const ShapeIndex& index, ShapeId id) noexcept {
+  if (index.byId.size() != shapes.size()) {
+    const auto found = std::find_if(shapes.begin(), shapes.end(), [&](const Felt& each) { return each.id == id; });
+    return static_cast<std::size_t>(found - shapes.begin());
+  }
+  const auto found = std::lower_bound(index.byId.begin(), index.byId.end(), id,
+                                      [&](std::uint32_t shape, ShapeId wanted) { return shapes[shape].id < wanted; });
+  return found != index.byId.end() && shapes[*found].id == id ? *found : shapes.size();
 }
 
 }  // namespace haptiv

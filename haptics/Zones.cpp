@@ -30,7 +30,7 @@ Vector3 renderZones(const HapticScene& scene, const ToolMotion& tool, int& insid
   Vector3 sum = Vector3::Zero();
   inside = 0;
   forEachNear(
-      scene.zones, scene.zoneTree, tool.position, tool.radius, [&](std::size_t index, const SurfacePoint& surface) {
+      scene.zones, scene.zoneIndex, tool.position, tool.radius, [&](std::size_t index, const SurfacePoint& surface) {
         const Zone& zone = scene.zones[index];
         const Vector3 full = zone.kind == Zone::Kind::viscous ? viscousForce(zone, tool) : springForce(zone, tool);
         sum += immersion(surface.distance, tool.radius) * full;

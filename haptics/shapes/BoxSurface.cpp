@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "haptics/shapes/AxialPoint.h"
+#include "haptics/shapes/StraightBoxSurface.h"
 
 namespace haptiv {
 namespace {
@@ -130,6 +131,7 @@ SurfacePoint onBoxFace(const Shape& shape, const Vector3& p_W, int face) noexcep
 }
 
 SurfacePoint nearestOnBox(const Shape& shape, const Vector3& p_W) noexcept {
+  if (const auto box = straightBox(shape)) return nearestOnStraightBox(*box, BesideBox(*box, p_W));
   const BoxPlanes planes(shape, p_W);
   if (!planes.hasVolume) return onFlat(shape, planes);
   const bool isInside = planes.gap(0) <= 0 && planes.gap(1) <= 0 && planes.gap(2) <= 0;

@@ -124,7 +124,7 @@ TEST(IfThenRenderer, FeelsTheSameWithoutPreparedBounds) {
   RandomShapes random(5);
   const HapticScene scene = oneOfEach(random);
   HapticScene unprepared = scene;
-  unprepared.wallTree = {};
+  unprepared.wallIndex = {};
   for (int i = 0; i < 200; ++i) {
     const Vector3 p = placeInWall(random, scene.walls[static_cast<std::size_t>(i % 5)].shape, 0.01, 0.004);
     ContactSet a, b;

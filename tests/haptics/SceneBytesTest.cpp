@@ -64,7 +64,7 @@ TEST(SceneBytes, ReadBackToTheSameScene) {
   ASSERT_EQ(read.zones.size(), 8u);
   EXPECT_EQ(read.zones[3].kind, Zone::Kind::spring);
   EXPECT_EQ(read.zones[3].anchor, scene.zones[3].anchor);
-  EXPECT_EQ(read.wallTree.size(), 8u);
+  EXPECT_EQ(read.wallIndex.tree.size(), 8u);
   EXPECT_EQ(toBytes(read), toBytes(scene));
 }
 

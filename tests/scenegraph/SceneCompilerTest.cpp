@@ -208,8 +208,8 @@ TEST(SceneCompiler, CountsTheTrianglesThatAreDrawn) {
 TEST(SceneCompiler, CarriesTheBoundsThatTheServoLooksThingsUpBy) {
   const CompiledScene compiled = compile("HapticSurface { } Cube { } HapticViscousZone { } Cube { }");
   ASSERT_TRUE(compiled.scene);
-  EXPECT_EQ(compiled.scene->wallTree.size(), 1u);
-  EXPECT_EQ(compiled.scene->zoneTree.size(), 1u);
+  EXPECT_EQ(compiled.scene->wallIndex.tree.size(), 1u);
+  EXPECT_EQ(compiled.scene->zoneIndex.tree.size(), 1u);
 }
 
 }  // namespace
