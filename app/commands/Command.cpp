@@ -102,6 +102,10 @@ CommandOption Command::choices(const char* name, std::vector<std::string>& value
   return CommandOption(app_->add_option(name, values, help)->delimiter(',')->check(oneOf(from)));
 }
 
+CommandOption Command::list(const char* name, std::vector<std::string>& values, const char* help) const {
+  return CommandOption(app_->add_option(name, values, help)->delimiter(','));
+}
+
 CommandOption Command::flag(const char* name, bool& value, const char* help) const {
   return CommandOption(app_->add_flag(name, value, help));
 }

@@ -64,6 +64,8 @@ class Command {
   /// Several of them, with commas between.
   CommandOption choices(const char* name, std::vector<std::string>& values, std::initializer_list<const char*> from,
                         const char* help) const;
+  /// Any words, with commas or blanks between.
+  CommandOption list(const char* name, std::vector<std::string>& values, const char* help) const;
   CommandOption flag(const char* name, bool& value, const char* help) const;
   /// --json
   void json(bool& value) const;

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "app/commands/BenchCommand.h"
 #include "app/commands/CheckCommand.h"
 #include "app/commands/Command.h"
 #include "app/commands/ExitCode.h"
@@ -47,6 +48,7 @@ int dispatch(int argc, char** argv) {
   addReplayCommand(program, argc, argv);
   addInfoCommand(program);
   addKinematicsCommand(program);
+  addBenchCommand(program);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version

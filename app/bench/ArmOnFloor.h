@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+
+#include "app/bench/collision/WallFloor.h"
+#include "device/DeviceDescription.h"
+#include "device/simulated/SimulatedDevice.h"
+
+namespace haptiv {
+
+/// The simulated arm over a floor of 10k small walls, 0.3 m wide, and a hand that presses the ball down and wanders.
+class ArmOnFloor {
+ public:
+  ArmOnFloor();
+
+  static constexpr std::uint32_t kWalls = 10000;
+  static constexpr double kRate = 1000;  ///< [Hz]
+  const HapticScene& scene() const { return scene_; }
+  const DeviceDescription& description() const { return description_; }
+  /// At its start.
+  std::unique_ptr<SimulatedDevice> device() const;
+
+ private:
+  DeviceDescription description_;
+  HapticScene scene_;
+};
+
+}  // namespace haptiv

@@ -1,0 +1,112 @@
+#include "app/commands/BenchCommand.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include "app/bench/Benches.h"
+#include "app/commands/ExitCode.h"
+#include "app/commands/Report.h"
+#include "scenegraph/SceneFile.h"
+
+namespace haptiv {
+namespace {
+
+struct BenchOptions {
+  std::vector<std::string> names;
+  bool json = false;
+};
+
+std::string allNames() {
+  std::string names;
+  for (const Bench& bench : kBenches) names += (names.empty() ? "" : ", ") + std::string(bench.name);
+  return names;
+}
+
+void requireKnown(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    const bool known = std::ranges::any_of(kBenches, [&](const Bench& bench) { return name == bench.name; });
+    if (!known) throw CommandFailure(kWrongUsage, "there is no bench \"" + name + "\"; there are " + allNames());
+  }
+}
+
+/// "123 ns", "4.56 us", "78.9 ms", "1.23 s".
+std::string timeText(double nanoseconds) {
+  const char* unit = "ns";
+  double value = nanoseconds;
+  for (const char* larger : {"us", "ms", "s"}) {
+    if (value < 999.5) break;
+    value /= 1000;
+    unit = larger;
+  }
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.3g %s", value, unit);
+  return text.data();
+}
+
+std::string notesOf(const BenchResult& result) {
+  std::string notes;
+  for (const auto& [name, value] : result.notes) {
+    std::array<char, 80> text{};
+    std::snprintf(text.data(), text.size(), "%s%s %.6g", notes.empty() ? "" : ", ", name.c_str(), value);
+    notes += text.data();
+  }
+  std::ranges::replace(notes, '_', ' ');
+  return notes;
+}
+
+void printTable(const std::vector<BenchResult>& results) {
+  std::printf("%-26s %8s %10s %10s %12s  %s\n", "", "n", "median", "p99", "peer median", "");
+  for (const BenchResult& result : results) {
+    const std::string peer = result.peerMedianNs ? timeText(*result.peerMedianNs) : "-";
+    std::printf("%-26s %8llu %10s %10s %12s  %s%s%s\n", result.name.c_str(), static_cast<unsigned long long>(result.n),
+                timeText(result.medianNs).c_str(), timeText(result.p99Ns).c_str(), peer.c_str(), result.peer.c_str(),
+                result.peer.empty() || result.notes.empty() ? "" : "; ", notesOf(result).c_str());
+  }
+  std::fflush(stdout);
+}
+
+void printJson(const std::vector<BenchResult>& results) {
+  Report::List list;
+  for (const BenchResult& result : results) {
+    Report& entry = list.emplace_back();
+    entry.add("name", result.name);
+    entry.add("n", result.n);
+    entry.add("median_ns", result.medianNs);
+    entry.add("p99_ns", result.p99Ns);
+    entry.add("peer_median_ns", result.peerMedianNs ? Report::Value(*result.peerMedianNs) : nullptr);
+    entry.add("peer", result.peer.empty() ? Report::Value(nullptr) : result.peer);
+    for (const auto& [name, value] : result.notes) entry.add(name, value);
+  }
+  Report report;
+  report.add("results", std::move(list));
+  report.print(true);
+}
+
+int runBenches(const BenchOptions& options) {
+  requireKnown(options.names);
+  initSceneGraph();
+  BenchRun run;
+  for (const Bench& bench : kBenches) {
+    if (options.names.empty() || std::ranges::find(options.names, bench.name) != options.names.end()) bench.run(run);
+  }
+  if (options.json) {
+    printJson(run.results());
+  } else {
+    printTable(run.results());
+  }
+  return kGood;
+}
+
+}  // namespace
+
+void addBenchCommand(const Command& program) {
+  const auto options = std::make_shared<BenchOptions>();
+  const Command bench = program.add("bench", "Measure the program itself", [options] { return runBenches(*options); });
+  bench.list("BENCH", options->names, ("Which ones, with commas between: " + allNames() + "; none: all").c_str());
+  bench.json(options->json);
+}
+
+}  // namespace haptiv
