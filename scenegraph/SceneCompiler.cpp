@@ -69,4 +69,10 @@ CompiledScene SceneCompiler::compile(SoNode* root, const std::unordered_map<cons
   return compiled;
 }
 
+CompiledScene SceneCompiler::compile(const SceneFile& file) {
+  CompiledScene compiled = compile(file.root.get());
+  for (Diagnostic& diagnostic : compiled.diagnostics) locate(diagnostic, file);
+  return compiled;
+}
+
 }  // namespace haptiv

@@ -26,6 +26,9 @@ class SceneCompiler {
   CompiledScene compile(SoNode* root, const std::unordered_map<const SoNode*, int>& lineOf = {},
                         const std::string& file = {});
 
+  /// Of a whole file, whose nodes may stand in others that it includes.
+  CompiledScene compile(const SceneFile& file);
+
  private:
   using PathKey = std::vector<const void*>;
   std::map<PathKey, ShapeId> ids_;

@@ -15,11 +15,15 @@ namespace haptiv {
 /// A scene as it was read: the graph, its text, and on which line each node stands.
 struct SceneFile {
   std::string path;                               ///< as the user named it
-  std::string text;                               ///< every byte of it
+  std::string text;                               ///< all of it, unpacked; of a binary file: as Coin writes it as text
   NodeRef<SoSeparator> root;                      ///< null where the diagnostics hold an error
-  std::unordered_map<const SoNode*, int> lineOf;  ///< 1-based
+  std::unordered_map<const SoNode*, int> lineOf;  ///< 1-based; a binary file has no lines
+  std::unordered_map<const SoNode*, std::string> fileOf;  ///< where it is another file, which the scene includes
   Diagnostics diagnostics;
 };
+
+/// Says on which line of which file a diagnostic's source stands.
+void locate(Diagnostic& diagnostic, const SceneFile& scene);
 
 /// Makes Coin and the haptic nodes ready; call once, before anything else here, on the GUI thread, after SoQt::init
 /// where there is a window.

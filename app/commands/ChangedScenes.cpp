@@ -50,7 +50,7 @@ std::shared_ptr<const HapticScene> compile(const SceneFile& file) {
   Diagnostics diagnostics = file.diagnostics;
   CompiledScene compiled;
   if (file.root) {
-    compiled = SceneCompiler().compile(file.root.get(), file.lineOf, file.path);
+    compiled = SceneCompiler().compile(file);
     diagnostics.insert(diagnostics.end(), compiled.diagnostics.begin(), compiled.diagnostics.end());
   }
   if (!compiled.scene || hasErrors(diagnostics)) {

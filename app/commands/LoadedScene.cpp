@@ -49,7 +49,7 @@ LoadedScene loadScene(const std::string& path) {
   loaded.diagnostics = loaded.file.diagnostics;
   if (!loaded.file.root) return loaded;
   SceneCompiler compiler;
-  loaded.compiled = compiler.compile(loaded.file.root.get(), loaded.file.lineOf, loaded.file.path);
+  loaded.compiled = compiler.compile(loaded.file);
   const Diagnostics& found = loaded.compiled.diagnostics;
   loaded.diagnostics.insert(loaded.diagnostics.end(), found.begin(), found.end());
   if (loaded.compiled.scene) judgeDevice(loaded);

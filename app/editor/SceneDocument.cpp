@@ -34,7 +34,7 @@ struct SceneDocument::Parts {
   bool isFlushPending = false;
 
   void compile() {
-    CompiledScene next = compiler.compile(file.root.get(), file.lineOf, file.path);
+    CompiledScene next = compiler.compile(file);
     if (!next.scene) next.scene = compiled.scene;
     compiled = std::move(next);
     diagnostics = file.diagnostics;

@@ -1,5 +1,3 @@
-#include <Inventor/SoOutput.h>
-#include <Inventor/actions/SoWriteAction.h>
 #include <Inventor/draggers/SoDragger.h>
 #include <Inventor/fields/SoField.h>
 #include <Inventor/lists/SoFieldList.h>
@@ -10,13 +8,13 @@
 #include <Inventor/manips/SoTransformManip.h>
 
 #include <array>
-#include <cstdlib>
 #include <stdexcept>
 #include <string_view>
 
 #include "scenegraph/Keyword.h"
 #include "scenegraph/SceneFile.h"
-#include "scenegraph/reading/GraphWalk.h"
+#include "scenegraph/reading/graph/GraphWalk.h"
+#include "scenegraph/writing/GraphText.h"
 
 namespace haptiv {
 namespace {
@@ -57,12 +55,6 @@ void checkNumbers(const SoNode* node) {
   }
 }
 
-/// What SoOutput writes to, growing as it must.
-struct Buffer {
-  explicit Buffer(SoOutput& output) { output.setBuffer(std::malloc(kFirst), kFirst, &std::realloc); }
-  static constexpr std::size_t kFirst = 1 << 16;
-};
-
 }  // namespace
 
 std::string writeSceneText(SoNode* root) {
@@ -73,16 +65,7 @@ std::string writeSceneText(SoNode* root) {
     }
     checkNumbers(node);
   }
-  SoOutput output;
-  const Buffer buffer(output);
-  SoWriteAction action(&output);
-  action.apply(root);
-  void* bytes = nullptr;
-  std::size_t size = 0;
-  output.getBuffer(bytes, size);
-  std::string text(static_cast<const char*>(bytes), size);
-  std::free(bytes);
-  return text;
+  return graphText(root);
 }
 
 }  // namespace haptiv

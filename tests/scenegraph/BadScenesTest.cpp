@@ -1,6 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <sstream>
 
 #include "tests/scenegraph/SceneTesting.h"
@@ -28,7 +27,7 @@ TEST_P(BadScene, IsRefusedWithTheDiagnosticThatItNames) {
   const SceneFile scene = readScene(GetParam());
   Diagnostics diagnostics = scene.diagnostics;
   if (scene.root) {
-    const CompiledScene compiled = SceneCompiler().compile(scene.root.get(), scene.lineOf, scene.path);
+    const CompiledScene compiled = SceneCompiler().compile(scene);
     diagnostics.insert(diagnostics.end(), compiled.diagnostics.begin(), compiled.diagnostics.end());
     EXPECT_FALSE(compiled.scene);
   }
@@ -43,11 +42,7 @@ TEST_P(BadScene, IsRefusedWithTheDiagnosticThatItNames) {
 
 INSTANTIATE_TEST_SUITE_P(Data, BadScene,
                          ::testing::ValuesIn(testing::scenesIn(testing::sourceDir() / "tests/data/scenes")),
-                         [](const auto& one) {
-                           std::string name = one.param.stem().string();
-                           std::ranges::replace(name, '-', '_');
-                           return name;
-                         });
+                         testing::nameOfFile);
 
 }  // namespace
 }  // namespace haptiv

@@ -51,7 +51,7 @@ class ExampleScene : public ::testing::TestWithParam<std::filesystem::path> {};
 TEST_P(ExampleScene, LoadsAndCompilesWithoutARemark) {
   const SceneFile scene = readScene(GetParam());
   ASSERT_TRUE(scene.root) << textOf(scene.diagnostics);
-  const CompiledScene compiled = SceneCompiler().compile(scene.root.get(), scene.lineOf, scene.path);
+  const CompiledScene compiled = SceneCompiler().compile(scene);
   ASSERT_TRUE(compiled.scene) << textOf(compiled.diagnostics);
   EXPECT_EQ(textOf(scene.diagnostics) + textOf(compiled.diagnostics), "");
   EXPECT_GT(compiled.scene->walls.size() + compiled.scene->zones.size(), 0u);

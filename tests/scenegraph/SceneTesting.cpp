@@ -18,6 +18,12 @@ std::vector<fs::path> scenesIn(const fs::path& folder) {
   return scenes;
 }
 
+std::string nameOfFile(const ::testing::TestParamInfo<fs::path>& file) {
+  std::string name = file.param.stem().string();
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
 std::string textOf(const Diagnostics& diagnostics) {
   std::string text;
   for (const Diagnostic& diagnostic : diagnostics) text += toText(diagnostic) + "\n";
@@ -33,7 +39,7 @@ SceneFile read(const std::string& body) {
 CompiledScene compile(const std::string& body) {
   const SceneFile scene = read("HapticTool { home 1000 0 0 } " + body);  // far from every wall
   if (!scene.root) return {};
-  return SceneCompiler().compile(scene.root.get(), scene.lineOf, scene.path);
+  return SceneCompiler().compile(scene);
 }
 
 ScratchFolder::ScratchFolder() {

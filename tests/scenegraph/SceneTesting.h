@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,6 +17,9 @@ inline std::filesystem::path sourceDir() {
 
 /// The .iv files of a folder, in the order of their names.
 std::vector<std::filesystem::path> scenesIn(const std::filesystem::path& folder);
+
+/// For tests that have a file as their parameter.
+std::string nameOfFile(const ::testing::TestParamInfo<std::filesystem::path>& file);
 
 /// Every diagnostic as a line of text.
 std::string textOf(const Diagnostics& diagnostics);

@@ -1,0 +1,185 @@
+#include "scenegraph/reading/SceneReader.h"
+
+#include <Inventor/SoDB.h>
+#include <Inventor/SoInput.h>
+
+#include <algorithm>
+
+#include "scenegraph/Keyword.h"
+#include "scenegraph/reading/coin/CoinMessages.h"
+#include "scenegraph/reading/coin/ExternalPrototypes.h"
+#include "scenegraph/reading/coin/Isolated.h"
+#include "scenegraph/reading/coin/Rehearsal.h"
+#include "scenegraph/reading/files/NamedFiles.h"
+#include "scenegraph/reading/files/SceneBytes.h"
+#include "scenegraph/reading/files/ScenePath.h"
+#include "scenegraph/reading/graph/GraphWalk.h"
+#include "scenegraph/reading/graph/NodeLines.h"
+#include "scenegraph/reading/graph/NurbsSwitch.h"
+#include "scenegraph/reading/graph/ShapeIndices.h"
+#include "scenegraph/reading/text/Header.h"
+#include "scenegraph/reading/text/SceneScan.h"
+
+namespace haptiv {
+namespace {
+
+namespace fs = std::filesystem;
+using Severity = Diagnostic::Severity;
+
+constexpr std::size_t kMaxDepth = 16;       // files within files
+constexpr std::size_t kMaxIncluded = 1000;  // files
+
+void say(SceneFile& scene, Severity severity, std::string message, int line = 0) {
+  scene.diagnostics.push_back({severity, scene.path, line, {}, std::move(message), nullptr});
+}
+
+void fail(SceneFile& scene, std::string message, int line = 0) {
+  say(scene, Severity::error, std::move(message), line);
+}
+
+/// Says where the nodes that diagnostics name stand.
+void addLocated(SceneFile& scene, Diagnostics found) {
+  for (Diagnostic& diagnostic : found) {
+    locate(diagnostic, scene);
+    scene.diagnostics.push_back(std::move(diagnostic));
+  }
+}
+
+}  // namespace
+
+SceneFile SceneReader::read(std::string bytes, const std::string& name) {
+  SceneFile scene;
+  scene.path = name;
+  scene.text = std::move(bytes);
+  std::error_code ignored;
+  paths_.push_back(fs::weakly_canonical(name, ignored));
+  readGraph(scene);
+  if (scene.root) judge(scene);
+  if (hasErrors(scene.diagnostics)) {
+    scene.root = {};
+    scene.lineOf.clear();
+    scene.fileOf.clear();
+    for (Diagnostic& diagnostic : scene.diagnostics) diagnostic.source = nullptr;  // the graph is not handed out
+  }
+  return scene;
+}
+
+void SceneReader::readGraph(SceneFile& scene) {
+  bytes_ += scene.text.size();
+  if (bytes_ > kMaxSceneBytes)
+    return fail(scene, "the scene with all that it includes is larger than 256 MB: split it");
+  const std::string header = headerFault(scene.text);
+  if (!header.empty()) return fail(scene, header, 1);
+  reading_.push_back(&scene);
+  parse(scene);
+  reading_.pop_back();
+}
+
+void SceneReader::parse(SceneFile& scene) {
+  const ExternalPrototypes prototypes(*this);
+  const bool isBinary = isBinaryHeader(scene.text);
+  if (isBinary) {
+    Converted converted = convertBinary(scene.text);
+    if (!converted.fault.empty()) return fail(scene, converted.fault);
+    scene.text = std::move(converted.text);
+  }
+  SceneScan scan = scanSceneText(scene.text, scene.path);
+  scene.diagnostics.insert(scene.diagnostics.end(), scan.diagnostics.begin(), scan.diagnostics.end());
+  if (hasErrors(scene.diagnostics)) return;
+  if (!scan.isPlain) {
+    const std::string fault = rehearsalFault(scene.text);
+    if (!fault.empty()) return fail(scene, fault);
+  }
+  const CoinMessages messages(scene.path);
+  SoInput input;
+  input.setBuffer(scene.text.data(), scene.text.size());
+  scene.root = NodeRef<SoSeparator>(SoDB::readAll(&input));
+  const Diagnostics said = scene.root ? messages.ofReadScene() : messages.diagnostics();
+  scene.diagnostics.insert(scene.diagnostics.end(), said.begin(), said.end());
+  if (!scene.root && !hasErrors(scene.diagnostics))
+    fail(scene, "Coin cannot read it: check it for wrong words or brackets");
+  if (!scene.root) return;
+  if (!isBinary) scene.lineOf = findLines(scan, scene.root.get(), scene.text.starts_with("#VRML V2"));
+  open(scene);
+}
+
+void SceneReader::open(SceneFile& scene) {
+  Diagnostics found;
+  for (const SoNode* shape : switchOffNurbs(scene.root.get())) {
+    found.push_back({Severity::warning,
+                     {},
+                     0,
+                     describe(shape),
+                     "NURBS are neither shown nor felt: convert them to triangles",
+                     shape});
+  }
+  addLocated(scene, std::move(found));
+  const fs::path folder = fs::path(scene.path).parent_path();
+  addLocated(scene, loadNamedFiles(scene.root.get(), {folder, home_}, [&](const fs::path& path, const SoNode* namedBy) {
+               return include(scene, path, namedBy);
+             }));
+}
+
+NodeRef<SoSeparator> SceneReader::include(SceneFile& scene, const fs::path& path, const SoNode* namedBy) {
+  const auto refuse = [&](const std::string& why) {
+    addLocated(scene,
+               {{Severity::error, {}, 0, describe(namedBy), "\"" + path.filename().string() + "\" " + why, namedBy}});
+    return NodeRef<SoSeparator>();
+  };
+  if (std::ranges::find(paths_, path) != paths_.end()) return refuse("includes itself: remove the node");
+  if (const auto known = included_.find(path); known != included_.end()) return known->second;
+  if (paths_.size() > kMaxDepth) return refuse("is included over more than 16 files: include it directly");
+  if (included_.size() >= kMaxIncluded) return refuse("is one file too many: a scene includes 1000 at most");
+  SceneBytes contents = readSceneBytes(path);
+  if (!contents.fault.empty()) return refuse(contents.fault);
+
+  SceneFile part;
+  part.path = (fs::path(scene.path).parent_path() /
+               fs::relative(path, fs::weakly_canonical(fs::path(scene.path)).parent_path()))
+                  .string();
+  part.text = std::move(contents.bytes);
+  paths_.push_back(path);
+  readGraph(part);
+  paths_.pop_back();
+  scene.diagnostics.insert(scene.diagnostics.end(), part.diagnostics.begin(), part.diagnostics.end());
+  scene.fileOf.insert(part.fileOf.begin(), part.fileOf.end());
+  for (const auto& [node, line] : part.lineOf) {
+    scene.lineOf[node] = line;
+    scene.fileOf.emplace(node, part.path);
+  }
+  included_[path] = part.root;
+  return part.root;
+}
+
+void SceneReader::judge(SceneFile& scene) {
+  const std::string fault = expansionFault(scene.root.get());
+  if (!fault.empty()) return fail(scene, fault);
+  addLocated(scene, shapeIndexFaults(scene.root.get()));
+}
+
+std::string SceneReader::prototypeText(const std::string& url) {
+  SceneFile& scene = *reading_.back();
+  const NamedFile file = judgeName(url, fs::path(scene.path).parent_path(), home_);
+  if (file.verdict != NamedFile::Verdict::inside) {
+    if (file.verdict == NamedFile::Verdict::forbidden) fail(scene, "EXTERNPROTO " + file.why);
+    return {};
+  }
+  SceneBytes contents;
+  {
+    const FilesAllowed here;
+    contents = readSceneBytes(file.path);
+  }
+  bytes_ += contents.bytes.size();
+  if (!contents.fault.empty() || bytes_ > kMaxSceneBytes) {
+    fail(scene,
+         "EXTERNPROTO \"" + url + "\" " + (contents.fault.empty() ? "makes the scene too large" : contents.fault));
+    return {};
+  }
+  const std::string header = headerFault(contents.bytes);
+  const SceneScan scan = scanSceneText(contents.bytes, file.path.filename().string());
+  scene.diagnostics.insert(scene.diagnostics.end(), scan.diagnostics.begin(), scan.diagnostics.end());
+  if (!header.empty()) fail(scene, "EXTERNPROTO \"" + url + "\": " + header);
+  return header.empty() && !hasErrors(scan.diagnostics) ? contents.bytes : std::string();
+}
+
+}  // namespace haptiv

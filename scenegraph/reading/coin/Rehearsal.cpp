@@ -1,0 +1,88 @@
+#include "scenegraph/reading/coin/Rehearsal.h"
+
+#include <Inventor/SoDB.h>
+#include <Inventor/SoInput.h>
+#include <Inventor/actions/SoCallbackAction.h>
+#include <Inventor/actions/SoGetBoundingBoxAction.h>
+#include <Inventor/actions/SoGetPrimitiveCountAction.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoShape.h>
+
+#include <stdexcept>
+
+#include "scenegraph/Keyword.h"
+#include "scenegraph/NodeRef.h"
+#include "scenegraph/reading/coin/CoinMessages.h"
+#include "scenegraph/reading/coin/Isolated.h"
+#include "scenegraph/reading/graph/GraphWalk.h"
+#include "scenegraph/reading/graph/NurbsSwitch.h"
+#include "scenegraph/reading/graph/ShapeIndices.h"
+#include "scenegraph/writing/GraphText.h"
+
+namespace haptiv {
+namespace {
+
+NodeRef<SoSeparator> read(const std::string& bytes) {
+  SoInput input;
+  input.setBuffer(bytes.data(), bytes.size());
+  return NodeRef<SoSeparator>(SoDB::readAll(&input));
+}
+
+SoCallbackAction::Response tellShape(void*, SoCallbackAction*, const SoNode* node) {
+  tellProgress("goes through " + describe(node));
+  return SoCallbackAction::CONTINUE;
+}
+
+void ignoreTriangle(void*, SoCallbackAction*, const SoPrimitiveVertex*, const SoPrimitiveVertex*,
+                    const SoPrimitiveVertex*) {}
+
+/// All that the program will have Coin do, but for drawing.
+void goThrough(SoNode* root) {
+  SoCallbackAction triangles;
+  triangles.addPreCallback(SoShape::getClassTypeId(), &tellShape, nullptr);
+  triangles.addTriangleCallback(SoShape::getClassTypeId(), &ignoreTriangle, nullptr);
+  triangles.apply(root);
+  tellProgress("measures the scene");
+  SoGetBoundingBoxAction box{SbViewportRegion(640, 480)};
+  box.apply(root);
+  SoGetPrimitiveCountAction count;
+  count.apply(root);
+  tellProgress("writes the scene");
+  graphText(root);
+}
+
+}  // namespace
+
+std::string rehearsalFault(const std::string& text) {
+  return runIsolated([&] {
+           tellProgress("reads the scene");
+           const CoinMessages silence{std::string()};
+           const auto root = read(text);
+           if (!root) return std::string();
+           switchOffNurbs(root.get());
+           if (expansionFault(root.get()).empty() && shapeIndexFaults(root.get()).empty()) goThrough(root.get());
+           return std::string();
+         })
+      .fault;
+}
+
+Converted convertBinary(const std::string& bytes) {
+  const Isolated converted = runIsolated([&] {
+    tellProgress("reads the scene, which is binary");
+    const CoinMessages messages{std::string()};
+    const auto root = read(bytes);
+    if (!root) {
+      const Diagnostics& said = messages.diagnostics();
+      throw std::runtime_error(said.empty() ? "Coin cannot read it: is it cut off?" : said.front().message);
+    }
+    if (root->getNumChildren() == 0) throw std::runtime_error("it holds no node that can be read: is it cut off?");
+    const std::string fault = expansionFault(root.get());
+    if (!fault.empty()) throw std::runtime_error(fault);
+    tellProgress("turns the scene, which is binary, into text");
+    static constexpr int kDigits = 9;  // every float comes back as it was
+    return graphText(root.get(), kDigits);
+  });
+  return {converted.result, converted.fault};
+}
+
+}  // namespace haptiv

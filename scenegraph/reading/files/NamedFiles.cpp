@@ -1,0 +1,137 @@
+#include "scenegraph/reading/files/NamedFiles.h"
+
+#include <Inventor/VRMLnodes/SoVRMLInline.h>
+#include <Inventor/fields/SoMFString.h>
+#include <Inventor/fields/SoSFString.h>
+#include <Inventor/misc/SoChildList.h>
+#include <Inventor/nodes/SoFile.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoWWWInline.h>
+
+#include "scenegraph/Keyword.h"
+#include "scenegraph/reading/coin/CoinMessages.h"
+#include "scenegraph/reading/files/NamedFields.h"
+#include "scenegraph/reading/files/ScenePath.h"
+#include "scenegraph/reading/graph/GraphWalk.h"
+
+namespace haptiv {
+namespace {
+
+using Severity = Diagnostic::Severity;
+using Use = NamedFields::Use;
+using Verdict = NamedFile::Verdict;
+
+/// SoFile's default.
+bool isUndefined(const std::string& name) {
+  return name == "<Undefined file>";
+}
+
+/// Coin loads a picture when it learns of its name, and looks in the working directory first: it is told the whole path
+/// for as long as that takes.
+void loadPicture(SoField* field, const std::string& path) {
+  SbString before;
+  field->get(before);
+  field->enableNotify(FALSE);
+  if (auto* one = dynamic_cast<SoSFString*>(field)) one->setValue(path.c_str());
+  if (auto* many = dynamic_cast<SoMFString*>(field)) many->setValue(path.c_str());
+  field->enableNotify(TRUE);
+  field->touch();
+  field->enableNotify(FALSE);
+  field->set(before.getString());
+}
+
+class Loader {
+ public:
+  Loader(const NamingFile& from, const ReadScene& readScene) : from_(from), readScene_(readScene) {}
+
+  Diagnostics diagnostics;
+
+  void load(SoNode* node) {
+    const NamedFields named = namedFields(node);
+    for (SoField* field : named.fields) {
+      if (field->isConnected()) disconnect(node, field);
+      if (named.use == Use::scene) loadScene(node, field);
+      if (named.use == Use::picture) loadPictures(node, field);
+      if (named.use == Use::later) keepOrClear(node, field);
+      if (named.use == Use::font) checkFont(node, field);
+    }
+  }
+
+ private:
+  void disconnect(SoNode* node, SoField* field) {
+    field->disconnect();
+    clearStrings(field);
+    say(Severity::warning, node, "a file's name that is computed is not followed: write the name itself");
+  }
+
+  void loadScene(SoNode* node, SoField* field) {
+    NamedFile last;
+    for (const std::string& name : stringsOf(field)) {
+      if (isUndefined(name)) return;
+      last = judgeName(name, from_.folder, from_.home);
+      if (last.verdict == Verdict::inside) return attach(node, readScene_(last.path, node));
+      if (last.verdict == Verdict::forbidden) break;
+    }
+    if (!last.why.empty())
+      say(last.verdict == Verdict::forbidden ? Severity::error : Severity::warning, node, last.why);
+  }
+
+  void attach(SoNode* node, const NodeRef<SoSeparator>& scene) {
+    if (!scene) return;
+    if (auto* vrml = dynamic_cast<SoVRMLInline*>(node)) return vrml->setChildData(scene.get());
+    if (auto* www = dynamic_cast<SoWWWInline*>(node)) return www->setChildData(scene.get());
+    for (int i = 0; i < scene->getNumChildren(); ++i) node->getChildren()->append(scene->getChild(i));
+  }
+
+  /// Of several names that of the first picture that can be had.
+  void loadPictures(SoNode* node, SoField* field) {
+    std::string why;
+    for (const std::string& name : stringsOf(field)) {
+      const NamedFile file = judgeName(name, from_.folder, from_.home);
+      why = file.why;
+      if (!why.empty()) continue;
+      const CoinMessages messages{std::string()};
+      loadPicture(field, file.path.string());
+      if (!messages.diagnostics().empty())
+        say(Severity::warning, node,
+            "the texture \"" + name.substr(0, 200) + "\" cannot be shown: " + messages.diagnostics().front().message);
+      return;
+    }
+    if (!why.empty()) say(Severity::warning, node, "the texture " + why);
+  }
+
+  void keepOrClear(SoNode* node, SoField* field) {
+    for (const std::string& name : stringsOf(field)) {
+      const NamedFile file = judgeName(name, from_.folder, from_.home);
+      if (file.verdict != Verdict::forbidden) continue;
+      clearStrings(field);
+      return say(Severity::warning, node, file.why + "; the name is taken out");
+    }
+  }
+
+  /// Coin asks the system for fonts by their names, and takes a path for a name.
+  void checkFont(SoNode* node, SoField* field) {
+    const std::vector<std::string> names = stringsOf(field);
+    if (names.empty() || names.front().find('/') == std::string::npos) return;
+    field->set("defaultFont");
+    say(Severity::warning, node,
+        "a font's name that is a path is not followed: write the font's name; it is taken out");
+  }
+
+  void say(Severity severity, const SoNode* node, const std::string& message) {
+    diagnostics.push_back({severity, {}, 0, describe(node), message, node});
+  }
+
+  const NamingFile& from_;
+  const ReadScene& readScene_;
+};
+
+}  // namespace
+
+Diagnostics loadNamedFiles(SoNode* root, const NamingFile& from, const ReadScene& readScene) {
+  Loader loader(from, readScene);
+  for (SoNode* node : writtenNodes(root)) loader.load(node);
+  return std::move(loader.diagnostics);
+}
+
+}  // namespace haptiv

@@ -1,0 +1,60 @@
+#include "scenegraph/reading/files/SilentNodes.h"
+
+#include <Inventor/VRMLnodes/SoVRMLAudioClip.h>
+#include <Inventor/VRMLnodes/SoVRMLImageTexture.h>
+#include <Inventor/VRMLnodes/SoVRMLInline.h>
+#include <Inventor/nodes/SoBumpMap.h>
+#include <Inventor/nodes/SoFile.h>
+#include <Inventor/nodes/SoImage.h>
+#include <Inventor/nodes/SoTexture2.h>
+#include <Inventor/nodes/SoTexture3.h>
+#include <Inventor/nodes/SoTextureCubeMap.h>
+#include <stdlib.h>
+
+#include "scenegraph/reading/files/NamedFields.h"
+
+namespace haptiv {
+namespace {
+
+/// Reads its fields and nothing else. Coin's sensors, which load a file as soon as its name changes, learn of no
+/// change.
+template <typename Node>
+class Silent final : public Node {
+ public:
+  Silent() {
+    for (SoField* field : namedFields(this).fields) field->enableNotify(FALSE);
+  }
+
+ protected:
+  SbBool readInstance(SoInput* in, unsigned short flags) override { return SoNode::readInstance(in, flags); }
+};
+
+class SilentFile final : public SoFile {
+ protected:
+  SbBool readNamedFile(SoInput*) override { return TRUE; }
+};
+
+template <typename Node, typename Replacement = Silent<Node>>
+void replace() {
+  SoType::overrideType(Node::getClassTypeId(), []() -> void* { return new Replacement; });
+}
+
+}  // namespace
+
+void forbidNodeLibraries() {
+  ::setenv("COIN_NO_SOTYPE_DYNLOAD", "1", 1);
+}
+
+void silenceFileNodes() {
+  replace<SoFile, SilentFile>();
+  replace<SoTexture2>();
+  replace<SoTexture3>();
+  replace<SoTextureCubeMap>();
+  replace<SoBumpMap>();
+  replace<SoImage>();
+  replace<SoVRMLImageTexture>();
+  replace<SoVRMLAudioClip>();
+  SoVRMLInline::setReadAsSoFile(FALSE);  // WWWInline opens nothing without a callback
+}
+
+}  // namespace haptiv

@@ -1,0 +1,163 @@
+#include "scenegraph/reading/graph/ShapeIndices.h"
+
+#include <Inventor/VRMLnodes/SoVRMLColor.h>
+#include <Inventor/VRMLnodes/SoVRMLCoordinate.h>
+#include <Inventor/VRMLnodes/SoVRMLElevationGrid.h>
+#include <Inventor/VRMLnodes/SoVRMLIndexedLine.h>
+#include <Inventor/VRMLnodes/SoVRMLIndexedShape.h>
+#include <Inventor/VRMLnodes/SoVRMLNormal.h>
+#include <Inventor/VRMLnodes/SoVRMLTextureCoordinate.h>
+#include <Inventor/nodes/SoIndexedLineSet.h>
+#include <Inventor/nodes/SoIndexedShape.h>
+#include <Inventor/nodes/SoIndexedTriangleStripSet.h>
+#include <Inventor/nodes/SoLOD.h>
+#include <Inventor/nodes/SoLevelOfDetail.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoSwitch.h>
+#include <Inventor/nodes/SoVertexProperty.h>
+#include <Inventor/nodes/SoVertexShape.h>
+
+#include <set>
+
+#include "scenegraph/Keyword.h"
+#include "scenegraph/reading/graph/AttributesInForce.h"
+#include "scenegraph/reading/graph/GraphWalk.h"
+
+namespace haptiv {
+namespace {
+
+/// The number of values of a VRML attribute node, of whatever kind; 0 where there is none.
+std::int64_t valuesOf(const SoNode* node) {
+  if (const auto* points = dynamic_cast<const SoVRMLCoordinate*>(node)) return points->point.getNum();
+  if (const auto* normals = dynamic_cast<const SoVRMLNormal*>(node)) return normals->vector.getNum();
+  if (const auto* colors = dynamic_cast<const SoVRMLColor*>(node)) return colors->color.getNum();
+  if (const auto* points = dynamic_cast<const SoVRMLTextureCoordinate*>(node)) return points->point.getNum();
+  return 0;
+}
+
+/// Without an index of its own, VRML's attribute of faces goes through them in order.
+Attribute vrmlAttribute(const SoSFNode& node, const SoSFBool& perVertex, const SoMFInt32* index = nullptr) {
+  const bool vertices = perVertex.getValue();
+  return {valuesOf(node.getValue()), vertices ? Per::vertex : Per::face, vertices || (index && index->getNum() > 0)};
+}
+
+/// Goes through the graph as actions do. Recursive: expansionFault has bounded the depth.
+class Checker {
+ public:
+  Diagnostics faults;
+
+  void visit(const SoNode* node, AttributesInForce& state) {
+    state.update(node);
+    if (const auto* shape = dynamic_cast<const SoVertexShape*>(node)) {
+      checkShape(*shape, state);
+    } else if (const auto* vrml = dynamic_cast<const SoVRMLIndexedShape*>(node)) {
+      checkShape(*vrml);
+    } else if (const auto* lines = dynamic_cast<const SoVRMLIndexedLine*>(node)) {
+      checkShape(*lines);
+    } else if (const auto* grid = dynamic_cast<const SoVRMLElevationGrid*>(node)) {
+      checkShape(*grid);
+    } else {
+      visitChildren(node, state);
+    }
+  }
+
+ private:
+  void visitChildren(const SoNode* node, AttributesInForce& state) {
+    const AttributesInForce before = state;
+    const auto children = writtenChildren(node);
+    const auto* choice = dynamic_cast<const SoSwitch*>(node);
+    const bool isLevels = dynamic_cast<const SoLOD*>(node) || dynamic_cast<const SoLevelOfDetail*>(node);
+    const int chosen = choice ? choice->whichChild.getValue() : 0;
+    const bool all = !isLevels && (!choice || chosen == SO_SWITCH_ALL);
+    for (std::size_t i = 0; i < children.size(); ++i) {
+      AttributesInForce aside = before;  // what is not chosen may be shown later, and changes nothing after it
+      visit(children[i], all || static_cast<int>(i) == chosen ? state : aside);
+    }
+    const bool leaks = node->isOfType(SoGroup::getClassTypeId()) && !node->isOfType(SoSeparator::getClassTypeId());
+    if (!leaks) state = before;
+  }
+
+  void checkShape(const SoVertexShape& shape, AttributesInForce state) {
+    if (const SoNode* own = shape.vertexProperty.getValue()) state.update(own);
+    const auto* indexed = dynamic_cast<const SoIndexedShape*>(&shape);
+    ShapeReach reach;
+    if (!indexed) {
+      reach = reachOfCounts(&shape, state.coordinates);
+    } else if (!indexed->coordIndex.isDefault()) {
+      reach = reachOfIndices(indexed->coordIndex, dynamic_cast<const SoIndexedLineSet*>(&shape),
+                             dynamic_cast<const SoIndexedTriangleStripSet*>(&shape));
+    }
+    hold(&shape, "coordinate", reach.coordinates, state.coordinates);
+    hold(&shape, "normal", reach, state.normals, indexed ? &indexed->normalIndex : nullptr);
+    hold(&shape, "material", reach, state.materials, indexed ? &indexed->materialIndex : nullptr);
+    hold(&shape, "texture coordinate", reach, state.textureCoordinates,
+         indexed ? &indexed->textureCoordIndex : nullptr);
+    if (!reach.fault.empty()) say(&shape, reach.fault);
+  }
+
+  void checkShape(const SoVRMLIndexedShape& shape) {
+    const ShapeReach reach = reachOfIndices(shape.coordIndex, false, false);
+    hold(&shape, "coordinate", reach.coordinates, valuesOf(shape.coord.getValue()));
+    hold(&shape, "normal", reach, vrmlAttribute(shape.normal, shape.normalPerVertex, &shape.normalIndex),
+         &shape.normalIndex);
+    hold(&shape, "color", reach, vrmlAttribute(shape.color, shape.colorPerVertex, &shape.colorIndex),
+         &shape.colorIndex);
+    const Attribute texture{valuesOf(shape.texCoord.getValue()), Per::vertex, true};
+    hold(&shape, "texture coordinate", reach, texture, &shape.texCoordIndex);
+    if (!reach.fault.empty()) say(&shape, reach.fault);
+  }
+
+  void checkShape(const SoVRMLIndexedLine& shape) {
+    const ShapeReach reach = reachOfIndices(shape.coordIndex, true, false);
+    hold(&shape, "coordinate", reach.coordinates, valuesOf(shape.coord.getValue()));
+    hold(&shape, "color", reach, vrmlAttribute(shape.color, shape.colorPerVertex, &shape.colorIndex),
+         &shape.colorIndex);
+    if (!reach.fault.empty()) say(&shape, reach.fault);
+  }
+
+  void checkShape(const SoVRMLElevationGrid& grid) {
+    const std::int64_t columns = std::max(0, grid.xDimension.getValue());
+    const std::int64_t rows = std::max(0, grid.zDimension.getValue());
+    ShapeReach reach;
+    reach.vertices = columns * rows;
+    reach.faces = std::max<std::int64_t>(0, (columns - 1) * (rows - 1));
+    hold(&grid, "height", reach.vertices, grid.height.getNum());
+    hold(&grid, "normal", reach, vrmlAttribute(grid.normal, grid.normalPerVertex), nullptr);
+    hold(&grid, "color", reach, vrmlAttribute(grid.color, grid.colorPerVertex), nullptr);
+    hold(&grid, "texture coordinate", reach, {valuesOf(grid.texCoord.getValue()), Per::vertex, true}, nullptr);
+  }
+
+  /// An attribute without any value is made by Coin itself.
+  void hold(const SoNode* node, const char* what, const ShapeReach& reach, const Attribute& attribute,
+            const SoMFInt32* index) {
+    if (attribute.count <= 0) return;
+    hold(node, what, reach.of(attribute.per, attribute.byIndex, index), attribute.count);
+    const std::string fault = reach.indexFault(attribute.per, attribute.byIndex, index);
+    if (!fault.empty()) say(node, "its list of " + std::string(what) + "s " + fault);
+  }
+
+  void hold(const SoNode* node, const char* what, std::int64_t needed, std::int64_t available) {
+    if (needed <= available) return;
+    say(node, "reaches for " + std::string(what) + " " + std::to_string(needed - 1) +
+                  " (the first is 0), and there are " + std::to_string(available) +
+                  ": correct its indices or counts, or add what is missing");
+  }
+
+  void say(const SoNode* node, std::string message) {
+    if (!said_.insert(node).second) return;
+    faults.push_back({Diagnostic::Severity::error, {}, 0, describe(node), std::move(message), node});
+  }
+
+  std::set<const SoNode*> said_;
+};
+
+}  // namespace
+
+Diagnostics shapeIndexFaults(SoNode* root) {
+  Checker checker;
+  AttributesInForce state;
+  checker.visit(root, state);
+  return std::move(checker.faults);
+}
+
+}  // namespace haptiv
