@@ -34,8 +34,11 @@ SceneFile readScene(const std::filesystem::path& path);
 /// The same from memory. `name` stands for the path in diagnostics.
 SceneFile readSceneText(std::string_view text, const std::string& name);
 
-/// The graph as Inventor text, readable by readSceneText. Throws std::runtime_error where a value cannot be written
-/// and read back (NaN, infinity), naming node and field.
+/// Whether the graph holds PROTOs or what they made. Its text can be read again, but what is written after that cannot.
+bool hasPrototypes(SoNode* root);
+
+/// The graph as Inventor text (VRML97, where it has prototypes), readable by readSceneText. Throws std::runtime_error
+/// where a value cannot be written and read back (NaN, infinity), naming node and field.
 std::string writeSceneText(SoNode* root);
 
 /// Writes the graph to a file: wholly or not at all. Throws std::runtime_error that says why.

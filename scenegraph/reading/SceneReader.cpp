@@ -79,16 +79,16 @@ void SceneReader::parse(SceneFile& scene) {
   const ExternalPrototypes prototypes(*this);
   const bool isBinary = isBinaryHeader(scene.text);
   if (isBinary) {
-    Converted converted = convertBinary(scene.text);
+    Isolated converted = convertBinary(scene.text);
     if (!converted.fault.empty()) return fail(scene, converted.fault);
-    scene.text = std::move(converted.text);
+    scene.text = std::move(converted.result);
   }
   SceneScan scan = scanSceneText(scene.text, scene.path);
   scene.diagnostics.insert(scene.diagnostics.end(), scan.diagnostics.begin(), scan.diagnostics.end());
   if (hasErrors(scene.diagnostics)) return;
   if (!scan.isPlain) {
-    const std::string fault = rehearsalFault(scene.text);
-    if (!fault.empty()) return fail(scene, fault);
+    const Isolated rehearsal = rehearse(scene.text);
+    if (!rehearsal.fault.empty()) return fail(scene, rehearsal.fault, isBinary ? 0 : rehearsal.line);
   }
   const CoinMessages messages(scene.path);
   SoInput input;

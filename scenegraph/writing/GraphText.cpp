@@ -8,12 +8,13 @@
 
 namespace haptiv {
 
-std::string graphText(SoNode* root, int digits) {
+std::string graphText(SoNode* root, int digits, const char* header) {
   static constexpr std::size_t kFirst = 1 << 16;
   SoOutput output;
   void* first = std::malloc(kFirst);
   if (!first) throw std::bad_alloc();
   output.setBuffer(first, kFirst, &std::realloc);
+  output.setHeaderString(header);
   output.setFloatPrecision(digits);
   SoWriteAction action(&output);
   action.apply(root);

@@ -77,6 +77,12 @@ class Replacement {
 }  // namespace
 
 void saveScene(SoNode* root, const fs::path& path) {
+  if (hasPrototypes(root)) {
+    throw std::runtime_error(
+        path.string() +
+        ": cannot be saved: the scene holds prototypes (PROTO), which Coin writes so that they are "
+        "lost in the end; the file is as it was");
+  }
   const std::string text = writeSceneText(root);
   std::error_code error;
   fs::path target = fs::canonical(path, error);  // a link stays one: what it points to is replaced

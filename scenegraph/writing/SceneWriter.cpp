@@ -6,7 +6,10 @@
 #include <Inventor/manips/SoPointLightManip.h>
 #include <Inventor/manips/SoSpotLightManip.h>
 #include <Inventor/manips/SoTransformManip.h>
+#include <Inventor/misc/SoProto.h>
+#include <Inventor/misc/SoProtoInstance.h>
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string_view>
@@ -57,6 +60,12 @@ void checkNumbers(const SoNode* node) {
 
 }  // namespace
 
+bool hasPrototypes(SoNode* root) {
+  return std::ranges::any_of(writtenNodes(root), [](SoNode* node) {
+    return node->isOfType(SoProto::getClassTypeId()) || SoProtoInstance::findProtoInstance(node);
+  });
+}
+
 std::string writeSceneText(SoNode* root) {
   for (const SoNode* node : writtenNodes(root)) {
     if (isHandle(node)) {
@@ -65,7 +74,8 @@ std::string writeSceneText(SoNode* root) {
     }
     checkNumbers(node);
   }
-  return graphText(root);
+  static constexpr int kDigits = 8;
+  return graphText(root, kDigits, hasPrototypes(root) ? "#VRML V2.0 utf8" : "#Inventor V2.1 ascii");
 }
 
 }  // namespace haptiv

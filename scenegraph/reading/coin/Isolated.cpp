@@ -8,11 +8,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <exception>
 #include <fstream>
+#include <new>
 
 namespace haptiv {
 namespace {
@@ -22,10 +24,15 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kTime = std::chrono::seconds(60);
 constexpr rlim_t kMemory = rlim_t{4} << 30;
 constexpr std::size_t kMaxResult = std::size_t{1} << 30;
-constexpr std::size_t kNoteSize = 256;
 
-/// A page that child and parent share: the child's last words. Null in processes that are not isolated.
-char* note = nullptr;
+/// What child and parent share: what the child was doing last.
+struct Note {
+  int line;
+  char doing[252];  // ends in 0, whatever is written before
+};
+
+/// Null in processes that are not isolated.
+Note* note = nullptr;
 
 void limit(__rlimit_resource what, rlim_t soft) {
   rlimit both{};
@@ -92,47 +99,51 @@ std::string listen(int from, pid_t child) {
   }
 }
 
-std::string faultOf(int status, const std::string& doing) {
+Isolated faultOf(int status, const Note& last) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   const std::string how = signal == SIGKILL || signal == SIGXCPU ? "takes longer than a minute" : "crashes";
-  return "Coin " + how + " while it " + doing + ": simplify the scene there";
+  return {{}, "Coin " + how + " while it " + last.doing + ": correct or simplify the scene there", last.line};
 }
 
 /// What is to be closed and unmapped in every case.
 struct Shared {
   Shared() {
-    void* page = ::mmap(nullptr, kNoteSize, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (page != MAP_FAILED) words = static_cast<char*>(page);
+    void* page = ::mmap(nullptr, sizeof(Note), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (page != MAP_FAILED) last = new (page) Note{};
     if (::pipe2(ends, O_CLOEXEC) != 0) ends[0] = ends[1] = -1;
   }
   ~Shared() {
     for (const int end : ends) {
       if (end >= 0) ::close(end);
     }
-    if (words) ::munmap(words, kNoteSize);
+    if (last) ::munmap(last, sizeof(Note));
   }
   Shared(const Shared&) = delete;
   Shared& operator=(const Shared&) = delete;
 
-  bool isWhole() const { return words && ends[0] >= 0; }
+  bool isWhole() const { return last && ends[0] >= 0; }
 
-  char* words = nullptr;
+  Note* last = nullptr;
   int ends[2] = {-1, -1};
 };
 
 }  // namespace
 
-void tellProgress(const std::string& doing) {
-  if (note) std::strncpy(note, doing.c_str(), kNoteSize - 1);
+void tellProgress(std::string_view doing, int line) {
+  if (!note) return;
+  const std::size_t size = std::min(doing.size(), sizeof(note->doing) - 1);
+  std::memcpy(note->doing, doing.data(), size);
+  note->doing[size] = 0;
+  note->line = line;
 }
 
 Isolated runIsolated(const std::function<std::string()>& work) {
-  if (note) return {work(), {}};  // isolated already
+  if (note) return {work(), {}, 0};  // isolated already
   Shared shared;
   const pid_t child = shared.isWhole() ? ::fork() : -1;
-  if (child < 0) return {{}, std::string("no process can be started to check it in: ") + std::strerror(errno)};
+  if (child < 0) return {{}, std::string("no process can be started to check it in: ") + std::strerror(errno), 0};
   if (child == 0) {
-    note = shared.words;
+    note = shared.last;
     live(shared.ends[1], work);
   }
   ::close(shared.ends[1]);
@@ -141,10 +152,10 @@ Isolated runIsolated(const std::function<std::string()>& work) {
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || answer.empty()) return {{}, faultOf(status, shared.words)};
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || answer.empty()) return faultOf(status, *shared.last);
   const bool isResult = answer.front() == '1';
   answer.erase(0, 1);
-  return isResult ? Isolated{std::move(answer), {}} : Isolated{{}, std::move(answer)};
+  return isResult ? Isolated{std::move(answer), {}, 0} : Isolated{{}, std::move(answer), 0};
 }
 
 FilesAllowed::FilesAllowed() {

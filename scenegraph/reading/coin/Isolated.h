@@ -2,14 +2,15 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace haptiv {
 
 /// How work in a process of its own ended.
 struct Isolated {
   std::string result;  ///< what the work returned
-  std::string
-      fault;  ///< why there is no result: it crashed, took too long or too much memory; empty where there is one
+  std::string fault;   ///< why there is no result: a crash, too much time or memory; empty where there is one
+  int line = 0;        ///< of the text, at which the work was then; 0: not known
 };
 
 /// Runs Coin over something hostile where a crash or a hang costs nothing: in a child process, which is given 60 s, 4
@@ -18,7 +19,7 @@ struct Isolated {
 Isolated runIsolated(const std::function<std::string()>& work);
 
 /// Within the work: what is being done, for the fault. Elsewhere: nothing. Cheap.
-void tellProgress(const std::string& doing);
+void tellProgress(std::string_view doing, int line = 0);
 
 /// While it lives, the child may open files.
 class FilesAllowed {

@@ -8,12 +8,12 @@
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoShape.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "scenegraph/Keyword.h"
 #include "scenegraph/NodeRef.h"
 #include "scenegraph/reading/coin/CoinMessages.h"
-#include "scenegraph/reading/coin/Isolated.h"
 #include "scenegraph/reading/graph/GraphWalk.h"
 #include "scenegraph/reading/graph/NurbsSwitch.h"
 #include "scenegraph/reading/graph/ShapeIndices.h"
@@ -22,9 +22,29 @@
 namespace haptiv {
 namespace {
 
+/// Tells each name that Coin reads, and its line.
+class TellingInput final : public SoInput {
+ public:
+  explicit TellingInput(const std::string& bytes) : bytes_(bytes) { setBuffer(bytes.data(), bytes.size()); }
+
+  using SoInput::read;
+  SbBool read(SbName& name, SbBool isIdentifier) override {
+    const SbBool isRead = SoInput::read(name, isIdentifier);
+    for (const std::size_t to = std::min(getNumBytesRead(), bytes_.size()); at_ < to; ++at_) {
+      if (bytes_[at_] == '\n') ++line_;
+    }
+    tellProgress("reads " + std::string(name.getString(), std::min(name.getLength(), 100)), line_);
+    return isRead;
+  }
+
+ private:
+  const std::string& bytes_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+};
+
 NodeRef<SoSeparator> read(const std::string& bytes) {
-  SoInput input;
-  input.setBuffer(bytes.data(), bytes.size());
+  TellingInput input(bytes);
   return NodeRef<SoSeparator>(SoDB::readAll(&input));
 }
 
@@ -53,21 +73,20 @@ void goThrough(SoNode* root) {
 
 }  // namespace
 
-std::string rehearsalFault(const std::string& text) {
+Isolated rehearse(const std::string& text) {
   return runIsolated([&] {
-           tellProgress("reads the scene");
-           const CoinMessages silence{std::string()};
-           const auto root = read(text);
-           if (!root) return std::string();
-           switchOffNurbs(root.get());
-           if (expansionFault(root.get()).empty() && shapeIndexFaults(root.get()).empty()) goThrough(root.get());
-           return std::string();
-         })
-      .fault;
+    tellProgress("reads the scene");
+    const CoinMessages silence{std::string()};
+    const auto root = read(text);
+    if (!root) return std::string();
+    switchOffNurbs(root.get());
+    if (expansionFault(root.get()).empty() && !hasErrors(shapeIndexFaults(root.get()))) goThrough(root.get());
+    return std::string();
+  });
 }
 
-Converted convertBinary(const std::string& bytes) {
-  const Isolated converted = runIsolated([&] {
+Isolated convertBinary(const std::string& bytes) {
+  Isolated converted = runIsolated([&] {
     tellProgress("reads the scene, which is binary");
     const CoinMessages messages{std::string()};
     const auto root = read(bytes);
@@ -82,7 +101,8 @@ Converted convertBinary(const std::string& bytes) {
     static constexpr int kDigits = 9;  // every float comes back as it was
     return graphText(root.get(), kDigits);
   });
-  return {converted.result, converted.fault};
+  converted.line = 0;  // there are none
+  return converted;
 }
 
 }  // namespace haptiv

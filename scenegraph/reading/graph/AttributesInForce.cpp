@@ -13,8 +13,6 @@
 #include <Inventor/nodes/SoTextureCoordinateBinding.h>
 #include <Inventor/nodes/SoVertexProperty.h>
 
-#include <algorithm>
-
 namespace haptiv {
 namespace {
 
@@ -46,15 +44,26 @@ void replace(std::int64_t& count, int values) {
   if (values > 0) count = values;
 }
 
+void take(Attribute& attribute, const SoMField& values) {
+  attribute.count = values.getNum();
+  attribute.values = &values;
+}
+
+void takeIfAny(Attribute& attribute, const SoMField& values) {
+  if (values.getNum() > 0) take(attribute, values);
+}
+
 void takeVertices(AttributesInForce& state, const SoVertexProperty& node) {
   replace(state.coordinates, node.vertex.getNum());
-  replace(state.textureCoordinates.count, std::max(node.texCoord.getNum(), node.texCoord3.getNum()));
+  takeIfAny(state.textureCoordinates, node.texCoord.getNum() > node.texCoord3.getNum()
+                                          ? static_cast<const SoMField&>(node.texCoord)
+                                          : node.texCoord3);
   if (node.normal.getNum() > 0) {
-    state.normals.count = node.normal.getNum();
+    take(state.normals, node.normal);
     bind(state.normals, node.normalBinding.getValue());
   }
   if (node.orderedRGBA.getNum() > 0) {
-    state.materials.count = node.orderedRGBA.getNum();
+    take(state.materials, node.orderedRGBA);
     bind(state.materials, node.materialBinding.getValue());
   }
 }
@@ -67,17 +76,17 @@ void AttributesInForce::update(const SoNode* node) {
   } else if (const auto* four = dynamic_cast<const SoCoordinate4*>(node)) {
     coordinates = four->point.getNum();
   } else if (const auto* normal = dynamic_cast<const SoNormal*>(node)) {
-    normals.count = normal->vector.getNum();
+    take(normals, normal->vector);
   } else if (const auto* material = dynamic_cast<const SoMaterial*>(node)) {
-    replace(materials.count, material->diffuseColor.getNum());
+    takeIfAny(materials, material->diffuseColor);
   } else if (const auto* base = dynamic_cast<const SoBaseColor*>(node)) {
-    replace(materials.count, base->rgb.getNum());
+    takeIfAny(materials, base->rgb);
   } else if (const auto* packed = dynamic_cast<const SoPackedColor*>(node)) {
-    replace(materials.count, packed->orderedRGBA.getNum());
+    takeIfAny(materials, packed->orderedRGBA);
   } else if (const auto* texture2 = dynamic_cast<const SoTextureCoordinate2*>(node)) {
-    textureCoordinates.count = texture2->point.getNum();
+    take(textureCoordinates, texture2->point);
   } else if (const auto* texture3 = dynamic_cast<const SoTextureCoordinate3*>(node)) {
-    textureCoordinates.count = texture3->point.getNum();
+    take(textureCoordinates, texture3->point);
   } else if (const auto* normalBinding = dynamic_cast<const SoNormalBinding*>(node)) {
     bind(normals, normalBinding->value.getValue());
   } else if (const auto* materialBinding = dynamic_cast<const SoMaterialBinding*>(node)) {

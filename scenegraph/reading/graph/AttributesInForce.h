@@ -4,6 +4,7 @@
 
 #include "scenegraph/reading/graph/ShapeReach.h"
 
+class SoMField;
 class SoNode;
 
 namespace haptiv {
@@ -13,13 +14,14 @@ struct Attribute {
   std::int64_t count = 0;
   Per per = Per::vertex;
   bool byIndex = true;
+  const SoMField* values = nullptr;  ///< the list itself; null: Coin's own value
 };
 
 /// What a shape takes its vertices from, at one place of the graph: Coin's elements, as counts.
 struct AttributesInForce {
   std::int64_t coordinates = 0;
   Attribute normals;
-  Attribute materials{1, Per::shape, false};
+  Attribute materials{1, Per::shape, false, nullptr};
   Attribute textureCoordinates;
 
   /// Takes over what a node sets; other nodes change nothing.

@@ -22,29 +22,37 @@
 #include "scenegraph/Keyword.h"
 #include "scenegraph/reading/graph/AttributesInForce.h"
 #include "scenegraph/reading/graph/GraphWalk.h"
+#include "scenegraph/reading/graph/ListMending.h"
 
 namespace haptiv {
 namespace {
 
-/// The number of values of a VRML attribute node, of whatever kind; 0 where there is none.
+/// The values of a VRML attribute node, of whatever kind; null where there is none.
+const SoMField* listIn(const SoNode* node) {
+  if (const auto* points = dynamic_cast<const SoVRMLCoordinate*>(node)) return &points->point;
+  if (const auto* normals = dynamic_cast<const SoVRMLNormal*>(node)) return &normals->vector;
+  if (const auto* colors = dynamic_cast<const SoVRMLColor*>(node)) return &colors->color;
+  if (const auto* points = dynamic_cast<const SoVRMLTextureCoordinate*>(node)) return &points->point;
+  return nullptr;
+}
+
 std::int64_t valuesOf(const SoNode* node) {
-  if (const auto* points = dynamic_cast<const SoVRMLCoordinate*>(node)) return points->point.getNum();
-  if (const auto* normals = dynamic_cast<const SoVRMLNormal*>(node)) return normals->vector.getNum();
-  if (const auto* colors = dynamic_cast<const SoVRMLColor*>(node)) return colors->color.getNum();
-  if (const auto* points = dynamic_cast<const SoVRMLTextureCoordinate*>(node)) return points->point.getNum();
-  return 0;
+  const SoMField* list = listIn(node);
+  return list ? list->getNum() : 0;
 }
 
 /// Without an index of its own, VRML's attribute of faces goes through them in order.
 Attribute vrmlAttribute(const SoSFNode& node, const SoSFBool& perVertex, const SoMFInt32* index = nullptr) {
   const bool vertices = perVertex.getValue();
-  return {valuesOf(node.getValue()), vertices ? Per::vertex : Per::face, vertices || (index && index->getNum() > 0)};
+  return {valuesOf(node.getValue()), vertices ? Per::vertex : Per::face, vertices || (index && index->getNum() > 0),
+          listIn(node.getValue())};
 }
 
 /// Goes through the graph as actions do. Recursive: expansionFault has bounded the depth.
 class Checker {
  public:
   Diagnostics faults;
+  ListMending mending;
 
   void visit(const SoNode* node, AttributesInForce& state) {
     state.update(node);
@@ -102,7 +110,7 @@ class Checker {
          &shape.normalIndex);
     hold(&shape, "color", reach, vrmlAttribute(shape.color, shape.colorPerVertex, &shape.colorIndex),
          &shape.colorIndex);
-    const Attribute texture{valuesOf(shape.texCoord.getValue()), Per::vertex, true};
+    const Attribute texture{valuesOf(shape.texCoord.getValue()), Per::vertex, true, listIn(shape.texCoord.getValue())};
     hold(&shape, "texture coordinate", reach, texture, &shape.texCoordIndex);
     if (!reach.fault.empty()) say(&shape, reach.fault);
   }
@@ -124,16 +132,27 @@ class Checker {
     hold(&grid, "height", reach.vertices, grid.height.getNum());
     hold(&grid, "normal", reach, vrmlAttribute(grid.normal, grid.normalPerVertex), nullptr);
     hold(&grid, "color", reach, vrmlAttribute(grid.color, grid.colorPerVertex), nullptr);
-    hold(&grid, "texture coordinate", reach, {valuesOf(grid.texCoord.getValue()), Per::vertex, true}, nullptr);
+    hold(&grid, "texture coordinate", reach,
+         {valuesOf(grid.texCoord.getValue()), Per::vertex, true, listIn(grid.texCoord.getValue())}, nullptr);
   }
 
   /// An attribute without any value is made by Coin itself.
   void hold(const SoNode* node, const char* what, const ShapeReach& reach, const Attribute& attribute,
             const SoMFInt32* index) {
     if (attribute.count <= 0) return;
-    hold(node, what, reach.of(attribute.per, attribute.byIndex, index), attribute.count);
+    const std::int64_t needed = reach.of(attribute.per, attribute.byIndex, index);
     const std::string fault = reach.indexFault(attribute.per, attribute.byIndex, index);
-    if (!fault.empty()) say(node, "its list of " + std::string(what) + "s " + fault);
+    if (!fault.empty()) {
+      say(node, "its list of " + std::string(what) + "s " + fault);
+    } else if (needed > attribute.count && ListMending::isWorthIt(needed, attribute.count)) {
+      mending.add(attribute.values, needed);
+      say(node,
+          "reaches for " + std::string(what) + " " + std::to_string(needed - 1) + " (the first is 0), and there are " +
+              std::to_string(attribute.count) + ": the last one is repeated",
+          Diagnostic::Severity::warning);
+    } else {
+      hold(node, what, needed, attribute.count);
+    }
   }
 
   void hold(const SoNode* node, const char* what, std::int64_t needed, std::int64_t available) {
@@ -143,12 +162,12 @@ class Checker {
                   ": correct its indices or counts, or add what is missing");
   }
 
-  void say(const SoNode* node, std::string message) {
-    if (!said_.insert(node).second) return;
-    faults.push_back({Diagnostic::Severity::error, {}, 0, describe(node), std::move(message), node});
+  void say(const SoNode* node, std::string message, Diagnostic::Severity severity = Diagnostic::Severity::error) {
+    if (!said_.emplace(node, severity).second) return;
+    faults.push_back({severity, {}, 0, describe(node), std::move(message), node});
   }
 
-  std::set<const SoNode*> said_;
+  std::set<std::pair<const SoNode*, Diagnostic::Severity>> said_;
 };
 
 }  // namespace
@@ -157,6 +176,7 @@ Diagnostics shapeIndexFaults(SoNode* root) {
   Checker checker;
   AttributesInForce state;
   checker.visit(root, state);
+  if (!hasErrors(checker.faults)) checker.mending.mend(root);
   return std::move(checker.faults);
 }
 

@@ -107,7 +107,7 @@ class Scanner {
       expect_ = Expect::defName;
     } else if (word == "USE") {
       expect_ = Expect::useName;
-    } else if (word == "ROUTE" && vrml2_) {
+    } else if (word == "ROUTE") {
       expect_ = Expect::route;  // ROUTE from TO to
       routeWords_ = 3;
     } else {
@@ -177,7 +177,7 @@ class Scanner {
     const auto found = defined_.find(std::string(token.text));
     if (found == defined_.end()) return;  // Coin says so
     const auto isIt = [&](const Level& level) { return level.node == found->second; };
-    if (keyword() != "Script" && std::ranges::any_of(levels_, isIt)) {  // a Script only refers to it
+    if (!keyword().ends_with("Script") && std::ranges::any_of(levels_, isIt)) {  // a Script only refers to it
       fail(token.line, std::string(token.text), "stands inside itself (USE within its own DEF): remove this USE");
     }
   }

@@ -1,0 +1,55 @@
+#include "scenegraph/reading/graph/ListMending.h"
+
+#include <Inventor/fields/SoMFColor.h>
+#include <Inventor/fields/SoMFUInt32.h>
+#include <Inventor/fields/SoMFVec2f.h>
+#include <Inventor/fields/SoMFVec3f.h>
+#include <Inventor/nodes/SoGroup.h>
+#include <Inventor/nodes/SoMaterial.h>
+
+#include <algorithm>
+
+namespace haptiv {
+namespace {
+
+template <typename Field>
+bool repeatLast(SoMField* values, int count) {
+  auto* field = dynamic_cast<Field*>(values);
+  if (!field) return false;
+  const int before = field->getNum();
+  if (before == 0 || before >= count) return true;
+  const auto last = (*field)[before - 1];
+  field->setNum(count);
+  auto* all = field->startEditing();
+  std::fill(all + before, all + count, last);
+  field->finishEditing();
+  return true;
+}
+
+}  // namespace
+
+bool ListMending::isWorthIt(std::int64_t needed, std::int64_t available) {
+  static constexpr std::int64_t kFew = 1000;
+  return needed <= 2 * available + kFew;
+}
+
+void ListMending::add(const SoMField* values, std::int64_t needed) {
+  needed_[values] = std::max(needed_[values], needed);
+}
+
+void ListMending::mend(SoNode* root) const {
+  for (const auto& [values, needed] : needed_) {
+    auto* list = const_cast<SoMField*>(values);
+    const int count = static_cast<int>(needed);
+    if (list) {
+      repeatLast<SoMFVec3f>(list, count) || repeatLast<SoMFVec2f>(list, count) || repeatLast<SoMFColor>(list, count) ||
+          repeatLast<SoMFUInt32>(list, count);
+    } else if (auto* group = dynamic_cast<SoGroup*>(root)) {
+      auto* material = new SoMaterial;
+      repeatLast<SoMFColor>(&material->diffuseColor, count);
+      group->insertChild(material, 0);
+    }
+  }
+}
+
+}  // namespace haptiv
