@@ -1,11 +1,13 @@
 #include "app/commands/InfoCommand.h"
 
 #include <memory>
+#include <utility>
 
 #include "app/commands/ExitCode.h"
 #include "app/commands/LoadedScene.h"
 #include "app/commands/Report.h"
 #include "app/commands/SessionReport.h"
+#include "app/session/SceneResolution.h"
 #include "app/session/log/SessionLog.h"
 #include "device/DeviceDescription.h"
 
@@ -16,6 +18,22 @@ struct InfoOptions {
   std::string log;
   bool json = false;
 };
+
+/// At the start of the session, and every time that the operator chose anew.
+void addResolutions(Report& report, const SessionLog& log, const DeviceDescription& device) {
+  ResolutionChoice choice =
+      log.scenes().empty() ? device.redundancy.choice : resolutionOf(log.scenes().front().scene, device);
+  addResolution(report, choice);
+  Report::List changes;
+  for (const LoggedScene& each : log.scenes()) {
+    if (resolutionOf(each.scene, device) == choice) continue;
+    choice = resolutionOf(each.scene, device);
+    Report& change = changes.emplace_back();
+    change.add("scene_version", std::uint64_t{each.scene.version});
+    addResolution(change, choice);
+  }
+  report.add("resolution_changes", std::move(changes));
+}
 
 int describeLog(const InfoOptions& options) {
   requireReadable(options.log);
@@ -31,7 +49,9 @@ int describeLog(const InfoOptions& options) {
   report.add("rate_Hz", header.rate);
   report.add("scene", header.sceneName);
   report.add("scene_versions", std::uint64_t{log.scenes().size()});
-  report.add("device", parseDeviceDescription(header.deviceText, options.log + " (its device description)").name);
+  const DeviceDescription device = parseDeviceDescription(header.deviceText, options.log + " (its device description)");
+  report.add("device", device.name);
+  addResolutions(report, log, device);
   report.add("software_version", header.softwareVersion);
   report.add("git_hash", header.gitHash);
   report.add("start", header.startUtc.empty() ? Report::Value(nullptr) : header.startUtc);

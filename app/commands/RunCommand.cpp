@@ -10,7 +10,9 @@
 #include "app/commands/Picture.h"
 #include "app/commands/SessionReport.h"
 #include "app/session/HandFile.h"
+#include "app/session/SceneResolution.h"
 #include "app/session/Session.h"
+#include "device/redundancy/ResolutionNames.h"
 
 namespace haptiv {
 namespace {
@@ -27,7 +29,8 @@ struct RunOptions {
   std::string hand = "rest";
   std::optional<double> seconds;  // none: as long as the hand file, and a second more
   double rate = 1000;             // [Hz]
-  std::string strategy = "nonopt";
+  std::string strategy;           // empty: as the device description says
+  std::string solution;
   std::string log;
   std::string picture;
   bool solid = false;
@@ -42,20 +45,21 @@ void refuseWhatIsNotThere(const RunOptions& options) {
         kCouldNot, "--device " + options.device + ": this version drives the simulated arm only; use --device sim");
   if (options.device != "sim")
     throw CommandFailure(kWrongUsage, "--device " + options.device + ": there is no such device; use --device sim");
-  if (options.strategy == "man" || options.strategy == "dir" || options.strategy == "cond")
-    throw CommandFailure(kCouldNot, "--strategy " + options.strategy +
-                                        ": this version resolves the redundancy without side criterion only; use "
-                                        "--strategy nonopt");
-  if (options.strategy != "nonopt")
-    throw CommandFailure(kWrongUsage,
-                         "--strategy " + options.strategy + ": there is no such strategy; use --strategy nonopt");
   if (options.solid)
     throw CommandFailure(kCouldNot, "--solid: this version knows the if-then walls only; leave --solid out");
 }
 
+// What is asked for; where nothing is, what the device description says.
+ResolutionChoice choiceOf(const RunOptions& options, const DeviceDescription& device) {
+  ResolutionChoice choice = device.redundancy.choice;
+  choice.strategy = strategyNamed(options.strategy).value_or(choice.strategy);
+  choice.solution = solutionNamed(options.solution).value_or(choice.solution);
+  return choice;
+}
+
 SessionSetup setUp(const RunOptions& options, const LoadedScene& loaded) {
   SessionSetup setup;
-  setup.scene = loaded.compiled.scene;
+  setup.scene = withResolution(loaded.compiled.scene, choiceOf(options, loaded.device));
   setup.sceneName = loaded.file.path;
   setup.sceneText = loaded.file.text;
   setup.description = loaded.device;
@@ -91,8 +95,9 @@ Outcome run(const RunOptions& options, const SessionSetup& setup) {
   return {std::move(live.summary), std::move(live.scheduling), std::move(live.logTrouble)};
 }
 
-Report reportOf(const RunOptions& options, const Outcome& outcome) {
+Report reportOf(const RunOptions& options, const SessionSetup& setup, const Outcome& outcome) {
   Report report = reportOf(outcome.summary, options.rate);
+  addResolution(report, resolutionOf(*setup.scene, setup.description));
   if (!outcome.scheduling.empty()) report.add("scheduling", outcome.scheduling);
   if (!options.log.empty()) report.add("log", options.log);
   if (!options.picture.empty()) report.add("picture", options.picture);
@@ -117,7 +122,7 @@ int runSession(const RunOptions& options) {
       outcome.trouble += (outcome.trouble.empty() ? "" : "\n") + std::string(error.what());
     }
   }
-  reportOf(options, outcome).print(options.json);
+  reportOf(options, setup, outcome).print(options.json);
   if (!outcome.trouble.empty()) throw CommandFailure(kCouldNot, outcome.trouble);
   if (outcome.summary.last.faults != kNoFault)
     throw CommandFailure(kNotSo, std::string("the arm was stopped: ") +
@@ -141,7 +146,12 @@ void addRunCommand(const Command& program) {
   run.number("--seconds", options->seconds, kLengths, "How long; as long as the hand file and 1 s more, or 5 s")
       .type("S");
   run.number("--rate", options->rate, kRates, "Ticks per second, 500 to 8000").type("HZ").showDefault();
-  run.text("--strategy", options->strategy, "How the redundancy is resolved: nonopt").type("NAME").showDefault();
+  run.choice("--strategy", options->strategy, {"nonopt", "man", "dir", "cond"},
+             "What the arm's redundancy serves; without this, as the device description says")
+      .type("nonopt|man|dir|cond");
+  run.choice("--solution", options->solution, {"full", "partitioned"},
+             "All joints at once, or position and orientation apart; without this, as the device description says")
+      .type("full|partitioned");
   run.path("--log", options->log, "Log every tick to this HDF5 file").type("FILE.h5");
   run.path("--picture", options->picture, "Draw the end of the session, 1280 x 720; needs no display").type("FILE.png");
   run.flag("--fast", options->fast, "As fast as the machine allows, and repeatable bit for bit");

@@ -1,5 +1,7 @@
 #include "app/commands/SessionReport.h"
 
+#include "device/redundancy/ResolutionNames.h"
+
 namespace haptiv {
 
 Report::Names faultNames(std::uint32_t faults) {
@@ -12,6 +14,11 @@ Report::Names faultNames(std::uint32_t faults) {
 
 double sessionSeconds(const TickRecord& last, double rate) {
   return static_cast<double>(last.tick + 1) / rate;
+}
+
+void addResolution(Report& report, const ResolutionChoice& choice) {
+  report.add("strategy", nameOf(choice.strategy));
+  report.add("solution", nameOf(choice.solution));
 }
 
 Report reportOf(const SessionSummary& summary, double rate) {

@@ -14,6 +14,9 @@ Report::Names faultNames(std::uint32_t faults);
 /// Session time after this tick [s].
 double sessionSeconds(const TickRecord& last, double rate);
 
+/// How the redundancy is resolved: strategy and solution by name.
+void addResolution(Report& report, const ResolutionChoice& choice);
+
 /// What a session came to, as `haptiv run` tells it.
 Report reportOf(const SessionSummary& summary, double rate);
 

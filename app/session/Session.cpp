@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "app/session/LiveHand.h"
+#include "app/session/SceneResolution.h"
 #include "app/session/SessionRecorder.h"
 #include "app/session/SessionSeat.h"
 #include "haptics/DeviceFrames.h"
@@ -37,6 +38,8 @@ bool samePlacement(const DevicePlacement& a, const DevicePlacement& b) {
 struct Session::Parts {
   explicit Parts(const SessionSetup& setup)
       : scene(setup.scene),
+        text(setup.sceneText),
+        description(setup.description),
         device(simulatedDevice(setup, handFor(setup, hand))),
         loop(*device, setup.description, setup.rate, seams) {
     seams.scene.write(scene);
@@ -52,7 +55,14 @@ struct Session::Parts {
     recorder = std::make_unique<SessionRecorder>(seams.log, std::move(writer));
   }
 
+  void publishNewest() {
+    recorder->addScene(scene, text);
+    seams.scene.write(scene);
+  }
+
   std::shared_ptr<const HapticScene> scene;  // newest that was published
+  std::string text;                          // its own
+  DeviceDescription description;
   std::shared_ptr<LiveHand::Seam> hand = std::make_shared<LiveHand::Seam>();
   std::unique_ptr<SimulatedDevice> device;
   ServoSeams seams;
@@ -76,17 +86,28 @@ Session::~Session() {
 std::shared_ptr<const HapticScene> Session::publish(std::shared_ptr<const HapticScene> scene, std::string text) {
   const HapticScene& felt = *parts_->scene;
   const bool sameSeat = samePlacement(scene->device, felt.device) && scene->tool.home == felt.tool.home;
-  if (!sameSeat || scene->version <= felt.version) {
+  if (!sameSeat || scene->resolution != felt.resolution || scene->version <= felt.version) {
     HapticScene taken = *scene;
     taken.version = std::max(scene->version, felt.version + 1);
     taken.device = felt.device;
     taken.tool.home = felt.tool.home;
+    taken.resolution = felt.resolution;
     scene = std::make_shared<const HapticScene>(std::move(taken));
   }
-  parts_->recorder->addScene(scene, std::move(text));
   parts_->scene = scene;
-  parts_->seams.scene.write(scene);
+  parts_->text = std::move(text);
+  parts_->publishNewest();
   return scene;
+}
+
+void Session::chooseResolution(const ResolutionChoice& choice) {
+  expectResolvable(choice, parts_->description);
+  if (resolutionOf(*parts_->scene, parts_->description) == choice) return;
+  HapticScene chosen = *parts_->scene;
+  ++chosen.version;
+  chosen.resolution = choice;
+  parts_->scene = std::make_shared<const HapticScene>(std::move(chosen));
+  parts_->publishNewest();
 }
 
 void Session::moveHand(const std::optional<Vector3>& p_WH) {

@@ -48,9 +48,12 @@ class Session {
   ~Session();
 
   /// Makes a new version of the scene felt, from the next tick on, and logs it. Returns the scene as it was taken:
-  /// where the device stands and the tool's home cannot change while a session runs, and a version that does not rise
-  /// is replaced by one that does.
+  /// where the device stands and the tool's home cannot change while a session runs, how the redundancy is resolved
+  /// stays as chosen, and a version that does not rise is replaced by one that does.
   std::shared_ptr<const HapticScene> publish(std::shared_ptr<const HapticScene> scene, std::string text);
+  /// Resolves the redundancy in this way from the next tick on, and logs it: a new version of the same scene.
+  /// Throws std::runtime_error where the arm cannot be resolved so; what was chosen before stays.
+  void chooseResolution(const ResolutionChoice& choice);
   /// Where the live hand wants the ball, in W; nothing: it lets go.
   void moveHand(const std::optional<Vector3>& p_WH);
   /// The newest tick, for the display; true if there was a new one since the last call.

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "app/session/SceneResolution.h"
 #include "app/version.h"
 #include "device/simulated/ScriptedHand.h"
 #include "haptics/DeviceFrames.h"
@@ -15,6 +16,7 @@ void expectUsable(const SessionSetup& setup) {
   if (!std::isfinite(setup.rate) || setup.rate <= 0)
     throw std::runtime_error(
         "the rate of a session is a positive number of ticks per second: choose one, such as 1000");
+  expectResolvable(resolutionOf(*setup.scene, setup.description), setup.description);
   if (!setup.log) return;
   const std::filesystem::path folder = setup.log->has_parent_path() ? setup.log->parent_path() : ".";
   std::error_code error;

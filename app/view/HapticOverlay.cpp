@@ -16,6 +16,7 @@ namespace haptiv {
 
 struct HapticOverlay::Parts {
   ArmFigure arm;
+  DexterityFigure dexterity;
   ForceArrow environmentArrow{SbColor(0.86F, 0.10F, 0.18F), 1};
   ForceArrow handArrow{SbColor(0.13F, 0.45F, 0.86F), 0.6};
   SoSwitch* armShown = new SoSwitch;
@@ -55,8 +56,9 @@ HapticOverlay::HapticOverlay() : parts_(std::make_unique<Parts>()), root_(new So
   smooth->value = 0.7F;
   parts_->armShown->whichChild = SO_SWITCH_ALL;
   parts_->armShown->addChild(parts_->arm.root());
-  for (SoNode* node : std::initializer_list<SoNode*>{notPicked, smooth, parts_->makeBall(), parts_->armShown,
-                                                     parts_->environmentArrow.root(), parts_->handArrow.root()}) {
+  for (SoNode* node :
+       std::initializer_list<SoNode*>{notPicked, smooth, parts_->makeBall(), parts_->armShown, parts_->dexterity.root(),
+                                      parts_->environmentArrow.root(), parts_->handArrow.root()}) {
     root_->addChild(node);
   }
 }
@@ -69,6 +71,7 @@ void HapticOverlay::setUp(const HapticScene& scene, const DeviceDescription& des
   parts_->environmentArrow.setBallRadius(tool.radius);
   parts_->handArrow.setBallRadius(tool.radius);
   parts_->arm.setUp(scene.device, description);
+  parts_->dexterity.setUp(scene.device, description);
 
   TickRecord atHome;
   atHome.position = tool.home;
@@ -79,12 +82,17 @@ void HapticOverlay::setUp(const HapticScene& scene, const DeviceDescription& des
 void HapticOverlay::show(const TickRecord& record) {
   parts_->placeBall(record.position);
   parts_->arm.show(record.jointAngles);
+  parts_->dexterity.show(record.position, record.jointAngles);
   parts_->environmentArrow.show(record.position, record.environmentForce);
   parts_->handArrow.show(record.position, record.handForce);
 }
 
 void HapticOverlay::setArmVisible(bool visible) {
   setIfChanged(parts_->armShown->whichChild, visible ? SO_SWITCH_ALL : SO_SWITCH_NONE);
+}
+
+void HapticOverlay::setEllipsoidVisible(Manipulability which, bool visible) {
+  parts_->dexterity.setVisible(which, visible);
 }
 
 void HapticOverlay::setArmTransparency(double transparency) {

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "app/view/ellipsoids/DexterityFigure.h"
 #include "device/DeviceDescription.h"
 #include "haptics/HapticScene.h"
 #include "haptics/TickRecord.h"
@@ -11,8 +12,8 @@
 
 namespace haptiv {
 
-/// What moves in the picture of a session: the arm, the ball, and the force arrow at the ball. A graph of its own
-/// beside the scene's, never saved. Thread: GUI.
+/// What moves in the picture of a session: the arm, the ball, the forces on it, and, if wanted, the manipulability
+/// ellipsoids. A graph of its own beside the scene's, never saved. Thread: GUI.
 class HapticOverlay {
  public:
   HapticOverlay();
@@ -26,6 +27,8 @@ class HapticOverlay {
   void show(const TickRecord& record);
   /// Where the arm is in the way of the view.
   void setArmVisible(bool visible);
+  /// Hidden at first.
+  void setEllipsoidVisible(Manipulability which, bool visible);
   /// 0: solid, 1: not seen.
   void setArmTransparency(double transparency);
   /// Where the ball is drawn, p_WT [m], and its radius [m].

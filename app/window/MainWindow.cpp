@@ -18,6 +18,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   buildActions();
   buildDocks();
   connectParts();
+  connectDexterity();
   enterEditing();
 }
 
@@ -89,6 +90,7 @@ void MainWindow::enterEditing() {
   p.plotsDock->show();
   p.problemsDock->show();
   p.plotsDock->raise();
+  p.propertiesDock->raise();
   for (QAction* each : {p.start, p.newScene, p.open, p.save, p.saveAs, p.select}) each->setEnabled(true);
   for (QAction* each : {p.stop, p.closeReplay, p.hand}) each->setEnabled(false);
   p.select->setChecked(true);
@@ -103,6 +105,7 @@ void MainWindow::enterSession() {
   Parts& p = *parts_;
   p.plots->clear();
   p.plotsDock->raise();
+  showDexterityOfSession();
   for (QAction* each : {p.start, p.newScene, p.open}) each->setEnabled(false);
   for (QAction* each : {p.stop, p.hand}) each->setEnabled(true);
   p.hand->setChecked(true);
@@ -127,6 +130,9 @@ void MainWindow::enterReplay(const QString& logPath) {
   p.plotsDock->hide();
   p.problemsDock->hide();
   p.replayDock->show();
+  showDexterityOfReplay();
+  connect(&p.replay->player(), &ReplayPlayer::timeChanged, this, &MainWindow::showDexterityOfReplay);
+  p.dexterityDock->raise();
   for (QAction* each : {p.start, p.stop, p.hand, p.select, p.save, p.saveAs, p.newScene}) each->setEnabled(false);
   for (QAction* each : {p.open, p.closeReplay}) each->setEnabled(true);
   p.select->setChecked(true);
@@ -154,8 +160,10 @@ void MainWindow::showAtRest() {
     if (p.shownDevice != scene->device.description) {
       p.description = loadDeviceDescription(scene->device.description);
       p.shownDevice = scene->device.description;
+      p.session->forgetResolution();  // it was chosen for another arm
     }
     p.view->overlay().setUp(*scene, p.description);
+    showDexterityAtRest();
   } catch (const std::exception& error) {
     p.status->showState(tr("Editing"), QString::fromUtf8(error.what()));
   }

@@ -27,11 +27,15 @@ class MainWindow : public QMainWindow {
   void buildToolBar();
   void buildDocks();
   void connectParts();
+  void connectDexterity();
   void enterEditing();
   void enterSession();
   void enterReplay(const QString& logPath);
   void showDocument(bool viewAll);
   void showAtRest();
+  void showDexterityAtRest();
+  void showDexterityOfSession();
+  void showDexterityOfReplay();
   void updateTitle();
   bool mayDiscardChanges();
   bool save(bool askForName);

@@ -70,6 +70,9 @@ void MainWindow::buildActions() {
   session->addActions({p.hand, p.select});
   QMenu* look = menuBar()->addMenu(tr("&View"));
   look->addActions({p.fromAbove, p.showAll, p.showArm});
+  look->addSeparator();
+  for (const Manipulability which : {Manipulability::translational, Manipulability::rotational})
+    look->addAction(p.dexterity->ellipsoids().action(which));
 
   buildToolBar();
 }
@@ -121,7 +124,10 @@ void MainWindow::buildDocks() {
   setStatusBar(p.status);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   add("treeDock", tr("Scene"), p.editor->sceneTree(), Qt::LeftDockWidgetArea);
-  add("propertiesDock", tr("Properties"), p.editor->propertyPanel(), Qt::RightDockWidgetArea);
+  p.propertiesDock = add("propertiesDock", tr("Properties"), p.editor->propertyPanel(), Qt::RightDockWidgetArea);
+  p.dexterityDock = add("dexterityDock", tr("Dexterity"), p.dexterity, Qt::RightDockWidgetArea);
+  tabifyDockWidget(p.propertiesDock, p.dexterityDock);
+  p.propertiesDock->raise();
   p.plotsDock = add("plotsDock", tr("Force and position"), p.plots, Qt::BottomDockWidgetArea);
   p.problemsDock = add("problemsDock", tr("Problems"), p.editor->diagnosticsList(), Qt::BottomDockWidgetArea);
   tabifyDockWidget(p.plotsDock, p.problemsDock);

@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <memory>
 
+#include "app/dexterity/DexterityPanel.h"
 #include "app/editor/Editor.h"
 #include "app/plots/LivePlots.h"
 #include "app/replay/ReplayBar.h"
@@ -23,6 +24,7 @@ struct MainWindow::Parts {
         editor(new Editor(*document, *view, &window)),
         session(new SessionControl(*document, &window)),
         plots(new LivePlots(&window)),
+        dexterity(new DexterityPanel(&window)),
         replayBar(new ReplayBar(&window)),
         status(new SessionStatus(&window)) {}
 
@@ -31,6 +33,7 @@ struct MainWindow::Parts {
   Editor* editor;
   SessionControl* session;
   LivePlots* plots;
+  DexterityPanel* dexterity;
   ReplayBar* replayBar;
   SessionStatus* status;
   std::unique_ptr<ReplayStage> replay;
@@ -38,6 +41,8 @@ struct MainWindow::Parts {
   DeviceDescription description;  ///< of the arm that is shown at rest ...
   std::string shownDevice;        ///< ... under this name or path
 
+  QDockWidget* propertiesDock = nullptr;
+  QDockWidget* dexterityDock = nullptr;
   QDockWidget* plotsDock = nullptr;
   QDockWidget* replayDock = nullptr;
   QDockWidget* problemsDock = nullptr;

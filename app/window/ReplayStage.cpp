@@ -45,6 +45,9 @@ ReplayPlayer& ReplayStage::player() {
 QString ReplayStage::logPath() const {
   return parts_->path;
 }
+const DeviceDescription& ReplayStage::description() const {
+  return parts_->description;
+}
 
 void ReplayStage::showScene() {
   const LoggedScene& logged = parts_->player.scene();

@@ -19,6 +19,7 @@ class ReplayStage : public QObject {
 
   ReplayPlayer& player();
   QString logPath() const;
+  const DeviceDescription& description() const;
 
  signals:
   /// A scene that the log holds further on cannot be shown; the one before stays.

@@ -4,6 +4,7 @@
 #include <QTimer>
 #include <exception>
 
+#include "app/session/SceneResolution.h"
 #include "app/window/LogFolder.h"
 
 namespace haptiv {
@@ -15,6 +16,8 @@ struct SessionControl::Parts {
   std::unique_ptr<Session> session;
   Scheduling scheduling;
   double rate = SessionSetup{}.rate;
+  DeviceDescription description;
+  std::optional<ResolutionChoice> resolution;
   QString logPath;
   QString toldTrouble;
   std::string text;  // of the scene as it was when the last command had been done
@@ -22,10 +25,10 @@ struct SessionControl::Parts {
 
   SessionSetup setup() {
     SessionSetup setup;
-    setup.scene = document.compiled().scene;
+    setup.scene = withResolution(document.compiled().scene, resolution);
     setup.sceneName = document.path().toStdString();
     setup.sceneText = text;
-    setup.description = loadDeviceDescription(setup.scene->device.description);
+    setup.description = description = loadDeviceDescription(setup.scene->device.description);
     setup.rate = rate;
     setup.liveHand = true;
     setup.log = logPath.toStdString();
@@ -66,6 +69,24 @@ double SessionControl::rate() const {
 }
 const Scheduling& SessionControl::scheduling() const {
   return parts_->scheduling;
+}
+const DeviceDescription& SessionControl::description() const {
+  return parts_->description;
+}
+const std::optional<ResolutionChoice>& SessionControl::resolution() const {
+  return parts_->resolution;
+}
+void SessionControl::forgetResolution() {
+  parts_->resolution.reset();
+}
+
+void SessionControl::chooseResolution(const ResolutionChoice& choice) {
+  try {
+    if (isRunning()) parts_->session->chooseResolution(choice);
+    parts_->resolution = choice;
+  } catch (const std::exception& error) {
+    emit failed(QString::fromUtf8(error.what()));
+  }
 }
 
 void SessionControl::start() {

@@ -25,12 +25,20 @@ class SessionControl : public QObject {
   double rate() const;
   /// How the servo thread of the running session is scheduled.
   const Scheduling& scheduling() const;
+  /// The arm of the running session, or of the last one.
+  const DeviceDescription& description() const;
+  /// What the user has chosen for this session and those that follow; nothing: as the device description says.
+  const std::optional<ResolutionChoice>& resolution() const;
+  /// For the sessions that follow, of another arm perhaps: as the device description says.
+  void forgetResolution();
 
  public slots:
   /// Starts a session; what stands in the way is told by `failed`.
   void start();
   /// Ends it and announces the log.
   void stop();
+  /// Resolves the redundancy in this way, at once where a session runs; what stands in the way is told by `failed`.
+  void chooseResolution(const haptiv::ResolutionChoice& choice);
   /// Where the operator's hand wants the ball, p_WH [m]; nothing: it lets go.
   void moveHand(const std::optional<haptiv::Vector3>& p_WH);
 

@@ -70,6 +70,51 @@ TEST(LiveSession, KeepsItsDeviceItsHomeAndRisingVersions) {
   EXPECT_EQ(session.publish(scene, ""), scene);
 }
 
+TEST(LiveSession, AStrategyChosenLiveIsLoggedKeptThroughEditsAndNotFelt) {
+  const TemporaryFolder folder;
+  SessionSetup setup = setupFor(wallScene());
+  setup.liveHand = true;
+  setup.log = folder / "s.h5";
+  const ResolutionChoice first{Strategy::dir, Solution::full}, second{Strategy::cond, Solution::partitioned};
+  {
+    Session session(setup);
+    session.moveHand(Vector3(0.1, 0.02, 0));
+    std::this_thread::sleep_for(4 * kMoment);
+    session.chooseResolution(first);
+    std::this_thread::sleep_for(2 * kMoment);
+    session.publish(std::make_shared<const HapticScene>(wallScene()), "edited");
+    session.chooseResolution(second);
+    session.chooseResolution(second);  // nothing new
+    std::this_thread::sleep_for(2 * kMoment);
+    session.stop();
+  }
+  const SessionLog log(folder / "s.h5");
+  ASSERT_EQ(log.scenes().size(), 4u);
+  EXPECT_EQ(log.scenes()[1].scene.resolution, first);
+  EXPECT_EQ(log.scenes()[1].text, setup.sceneText) << "the scene is the same";
+  EXPECT_EQ(log.scenes()[2].scene.resolution, first) << "an edit keeps the choice";
+  EXPECT_EQ(log.scenes()[3].scene.resolution, second);
+  EXPECT_EQ(log.scenes()[3].text, "edited");
+  const std::vector<TickRecord> ticks = log.ticks(0, log.tickCount());
+  EXPECT_EQ(ticks.back().sceneVersion, 3u);
+  for (std::size_t i = 1; i < ticks.size(); ++i) {
+    ASSERT_TRUE((ticks[i].command.jointRates.cwiseAbs().array() <= setup.description.drives.rateLimit.array()).all());
+    if (ticks[i].sceneVersion == ticks[i - 1].sceneVersion) continue;
+    // A tick of the hand's push and the sensor's noise; the force of the wall itself is some 15 N.
+    EXPECT_LT((ticks[i].environmentForce - ticks[i - 1].environmentForce).norm(), 0.5) << "at tick " << i;
+  }
+  EXPECT_TRUE(verify(log).identical());
+}
+
+TEST(LiveSession, RefusesASolutionThatTheArmHasNot) {
+  SessionSetup setup = setupFor(wallScene());
+  setup.description.chain.joints = {ChainJoint{}};
+  HapticScene scene = wallScene();
+  scene.resolution = ResolutionChoice{Strategy::dir, Solution::partitioned};
+  setup.scene = std::make_shared<const HapticScene>(scene);
+  EXPECT_THAT(messageOf([&] { Session{setup}; }), HasSubstr("no partitioned solution"));
+}
+
 TEST(LiveSession, FollowsTheLiveHandAndStopsTwice) {
   SessionSetup setup = setupFor(zoneScene(Zone::Kind::viscous));
   setup.liveHand = true;

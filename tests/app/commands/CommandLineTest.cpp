@@ -55,7 +55,8 @@ TEST(CommandLine, RefusesWrongUsageWithTwoAndNamesIt) {
   expectWrongUsage({"run", "s.iv", "--seconds", "nan"}, "nan");
   expectWrongUsage({"run", "s.iv", "--log", ""}, "--log");
   expectWrongUsage({"run", "s.iv", "--device", "hammer"}, "hammer");
-  expectWrongUsage({"run", "s.iv", "--strategy", "best"}, "best");
+  expectWrongUsage({"run", "s.iv", "--strategy", "best"}, "nonopt");  // what there is
+  expectWrongUsage({"run", "s.iv", "--solution", "half"}, "partitioned");
   expectWrongUsage({"check"}, "SCENE");
   expectWrongUsage({"info"}, "LOG");
   expectWrongUsage({"replay"}, "LOG");
@@ -65,7 +66,7 @@ TEST(CommandLine, RefusesWrongUsageWithTwoAndNamesIt) {
 
 TEST(CommandLine, RefusesWhatThisVersionCannotDoRatherThanIgnoringIt) {
   for (const std::vector<std::string>& more :
-       {std::vector<std::string>{"--device", "usb"}, {"--device", "usb:1234"}, {"--strategy", "dir"}, {"--solid"}}) {
+       {std::vector<std::string>{"--device", "usb"}, {"--device", "usb:1234"}, {"--solid"}}) {
     std::vector<std::string> arguments = {"run", "s.iv"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Ended ended = runHaptiv(arguments);

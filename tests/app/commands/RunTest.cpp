@@ -78,6 +78,19 @@ TEST_F(Run, TableForPeopleHasUnits) {
     EXPECT_THAT(ended.out, HasSubstr(part));
 }
 
+TEST_F(Run, TheStrategyIsToldLoggedAndResimulated) {
+  const std::string log = folder / "dir.h5";
+  const Ended ended = run({"--fast", "--strategy", "dir", "--solution", "partitioned", "--log", log, "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const Json info = runHaptiv({"info", log, "--json"}).json();
+  for (const Json& told : {ended.json(), info}) {
+    EXPECT_EQ(told["strategy"], "dir");
+    EXPECT_EQ(told["solution"], "partitioned");
+  }
+  EXPECT_EQ(info["resolution_changes"], Json::array());
+  EXPECT_EQ(runHaptiv({"replay", log, "--verify"}).code, 0);
+}
+
 TEST_F(Run, TwoFastRunsGiveTheSameData) {
   for (const std::string name : {"a", "b"}) {
     ASSERT_EQ(run({"--fast", "--log", folder / (name + ".h5")}).code, 0);

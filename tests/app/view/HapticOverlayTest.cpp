@@ -1,8 +1,14 @@
 #include "app/view/HapticOverlay.h"
 
 #include <Inventor/SbViewportRegion.h>
+#include <Inventor/SoPrimitiveVertex.h>
+#include <Inventor/actions/SoCallbackAction.h>
 #include <Inventor/actions/SoGetBoundingBoxAction.h>
+#include <Inventor/nodes/SoSphere.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "app/view/ForceArrow.h"
 #include "device/kinematics/Vishard10.h"
@@ -13,6 +19,8 @@ namespace {
 constexpr double kRadius = 0.012;
 constexpr double kFloatAccuracy =
     1e-5;  // Coin's floats, and spheres that are polygons when drawn but exact in their box
+
+constexpr double kPolygons = 0.003;  // [m] at a speed of 1: drawn as a polyhedron, a sphere is smaller in places
 
 class HapticOverlayTest : public testing::Test {
  protected:
@@ -26,6 +34,30 @@ class HapticOverlayTest : public testing::Test {
     SoGetBoundingBoxAction bounds(SbViewportRegion(640, 480));
     bounds.apply(overlay_.root());
     return bounds.getBoundingBox();
+  }
+
+  /// How far in this direction from `centre` the spheres go that are drawn.
+  double reach(const Vector3& centre, const Vector3& direction) const {
+    struct {
+      Vector3 centre, direction;
+      double farthest = 0;
+    } search{centre, direction};
+    SoCallbackAction action;
+    action.addTriangleCallback(
+        SoSphere::getClassTypeId(),
+        [](void* data, SoCallbackAction* at, const SoPrimitiveVertex* a, const SoPrimitiveVertex* b,
+           const SoPrimitiveVertex* c) {
+          auto& found = *static_cast<decltype(search)*>(data);
+          for (const SoPrimitiveVertex* vertex : {a, b, c}) {
+            SbVec3f p_W;
+            at->getModelMatrix().multVecMatrix(vertex->getPoint(), p_W);
+            const Vector3 from = Vector3(p_W[0], p_W[1], p_W[2]) - found.centre;
+            found.farthest = std::max(found.farthest, from.dot(found.direction));
+          }
+        },
+        &search);
+    action.apply(overlay_.root());
+    return search.farthest;
   }
 
   TickRecord recordAt(const Vector3& position) const {
@@ -117,6 +149,36 @@ TEST_F(HapticOverlayTest, TouchesNothingWhenTheRecordIsTheSame) {
   record.environmentForce.x() += 0.5;
   overlay_.show(record);
   EXPECT_NE(overlay_.root()->getNodeId(), before);
+}
+
+TEST_F(HapticOverlayTest, EllipsoidsAreHiddenUntilAskedForAndReachAsFarAsTheToolIsFast) {
+  overlay_.setArmVisible(false);
+  const TickRecord record = recordAt({0.1, 0, 0});
+  overlay_.show(record);
+  EXPECT_NEAR(box().getMax()[0], 0.1 + kRadius, kFloatAccuracy);
+  const Jacobian J = ArmKinematics(description_).jacobian(record.jointAngles);
+  overlay_.setEllipsoidVisible(Manipulability::translational, true);
+  const Vector3 direction = Vector3(1, -2, 0.5).normalized();
+  const double speed = (J.topRows<3>().transpose() * direction).norm();  // largest along it, at rates of norm 1 rad/s
+  EXPECT_NEAR(reach(record.position, direction), DexterityFigure::kMetresPerSpeed * speed, kPolygons * speed);
+  overlay_.setEllipsoidVisible(Manipulability::translational, false);
+  overlay_.setEllipsoidVisible(Manipulability::rotational, true);
+  const double turning = (J.bottomRows<3>().transpose() * direction).norm();
+  EXPECT_NEAR(reach(record.position, direction), DexterityFigure::kMetresPerTurning * turning, kPolygons * turning);
+}
+
+TEST_F(HapticOverlayTest, FlatEllipsoidsAreDrawnToo) {
+  overlay_.setArmVisible(false);
+  TickRecord record = recordAt({0, 0, 0});
+  record.jointAngles.setZero();  // stretched: the tool cannot move along x
+  overlay_.setEllipsoidVisible(Manipulability::translational, true);
+  overlay_.setEllipsoidVisible(Manipulability::rotational, true);
+  overlay_.show(record);
+  const SbBox3f drawn = box();
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(std::isfinite(drawn.getMax()[i])) << i;
+    EXPECT_GT(drawn.getMax()[i] - drawn.getMin()[i], 0.01F) << i;
+  }
 }
 
 TEST_F(HapticOverlayTest, StandsWhereTheSceneStandsTheDevice) {

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QLabel>
@@ -247,6 +249,42 @@ TEST_F(Window, AnEditIsFeltWhileTheSessionRuns) {
   EXPECT_GE(log.scenes().size(), 2u);
   EXPECT_EQ(log.scenes().back().scene.walls.size(), 2u);
   EXPECT_TRUE(verify(log).identical());
+}
+
+TEST_F(Window, AStrategyIsChosenBeforeASessionAndLiveAndStandsInTheReplay) {
+  openScene(kWallAhead);
+  auto& strategy = find<QComboBox>("strategyBox");
+  auto& dexterity = find<QDockWidget>("dexterityDock");
+  EXPECT_TRUE(find<QLabel>("momentLabel").text().startsWith("At home"));
+  dexterity.raise();
+  QTest::qWait(50);
+  const QString described = strategy.currentText();
+  QTest::keyClick(&strategy, Qt::Key_Down);
+  const QString before = strategy.currentText();
+  EXPECT_NE(before, described);
+  clickButton("startAction");
+  ASSERT_TRUE(waitFor([&] { return find<QAction>("stopAction").isEnabled(); }));
+  EXPECT_EQ(strategy.currentText(), before);
+  QTest::qWait(300);
+  QTest::keyClick(&strategy, Qt::Key_Down);
+  const QString live = strategy.currentText();
+  QTest::qWait(300);
+  clickButton("stopAction");
+  ASSERT_TRUE(waitFor([&] { return find<QAction>("closeReplayAction").isEnabled(); }));
+
+  const SessionLog log{onlyLog().toStdString()};
+  ASSERT_EQ(log.scenes().size(), 2u);
+  for (const LoggedScene& each : log.scenes()) EXPECT_TRUE(each.scene.resolution.has_value());
+  EXPECT_NE(log.scenes()[0].scene.resolution, log.scenes()[1].scene.resolution);
+  EXPECT_TRUE(verify(log).identical());
+  EXPECT_FALSE(strategy.isEnabled()) << "the past cannot be chosen";
+  EXPECT_EQ(strategy.currentText(), before);
+  auto& slider = find<QSlider>("timeSlider");
+  slider.setValue(slider.maximum());
+  EXPECT_TRUE(waitFor([&] { return strategy.currentText() == live; }));
+  clickButton("closeReplayAction");
+  EXPECT_TRUE(strategy.isEnabled());
+  EXPECT_EQ(strategy.currentText(), live) << "the choice stays for the next session";
 }
 
 TEST_F(Window, ABrokenSceneIsToldAndTheOldOneStays) {
