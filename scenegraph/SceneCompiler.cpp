@@ -1,6 +1,5 @@
 #include "scenegraph/SceneCompiler.h"
 
-#include <Inventor/SoPath.h>
 #include <Inventor/actions/SoGetPrimitiveCountAction.h>
 
 #include <algorithm>
@@ -11,14 +10,6 @@
 
 namespace haptiv {
 namespace {
-
-/// The nodes on the way to a shape. A group may hold one node twice, and an array visits it often: the caller counts.
-std::vector<const void*> nodesOf(const SoPath& path) {
-  const auto* full = static_cast<const SoFullPath*>(&path);
-  std::vector<const void*> nodes;
-  for (int i = 0; i < full->getLength(); ++i) nodes.push_back(full->getNode(i));
-  return nodes;
-}
 
 /// A session that starts in a wall is no mistake of the file's, yet hardly meant.
 void warnOfHomeInWall(SceneCollector& collected) {
@@ -37,15 +28,16 @@ void warnOfHomeInWall(SceneCollector& collected) {
 
 }  // namespace
 
+std::size_t drawnTriangles(SoNode* root) {
+  SoGetPrimitiveCountAction count;
+  count.apply(root);
+  return static_cast<std::size_t>(std::max(0, count.getTriangleCount()));
+}
+
 CompiledScene SceneCompiler::compile(SoNode* root, const std::unordered_map<const SoNode*, int>& lineOf,
                                      const std::string& file) {
-  std::map<PathKey, std::uintptr_t> timesMet;
-  SceneCollector collected([&](const SoPath& path) {
-    PathKey key = nodesOf(path);
-    const std::uintptr_t time = timesMet[key]++;
-    key.push_back(reinterpret_cast<const void*>(time));
-    return ids_.try_emplace(key, static_cast<ShapeId>(ids_.size() + 1)).first->second;
-  });
+  ids_.begin();
+  SceneCollector collected([this](const SoPath& path) { return ids_.idOf(path); });
   collected.collect(root);
   if (!hasErrors(collected.diagnostics)) warnOfHomeInWall(collected);
 
@@ -56,9 +48,6 @@ CompiledScene SceneCompiler::compile(SoNode* root, const std::unordered_map<cons
     const auto line = lineOf.find(diagnostic.source);
     if (line != lineOf.end()) diagnostic.line = line->second;
   }
-  SoGetPrimitiveCountAction count;
-  count.apply(root);
-  compiled.triangles = static_cast<std::size_t>(std::max(0, count.getTriangleCount()));
 
   ++version_;
   if (!hasErrors(compiled.diagnostics)) {

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <memory>
-#include <vector>
 
 #include "haptics/HapticScene.h"
 #include "scenegraph/Diagnostic.h"
 #include "scenegraph/SceneFile.h"
+#include "scenegraph/compiling/PathIds.h"
 
 namespace haptiv {
 
@@ -15,8 +14,10 @@ namespace haptiv {
 struct CompiledScene {
   std::shared_ptr<const HapticScene> scene;  ///< null where there are errors
   Diagnostics diagnostics;
-  std::size_t triangles = 0;  ///< that Coin draws
 };
+
+/// How many triangles Coin draws of a scene graph. Thread: GUI.
+std::size_t drawnTriangles(SoNode* root);
 
 /// Turns a scene graph into what the servo feels. Keep one for the life of a document: it remembers which id a shape
 /// had, so that the tool's contact with a wall survives an edit. Thread: GUI.
@@ -30,8 +31,7 @@ class SceneCompiler {
   CompiledScene compile(const SceneFile& file);
 
  private:
-  using PathKey = std::vector<const void*>;
-  std::map<PathKey, ShapeId> ids_;
+  PathIds ids_;
   std::uint32_t version_ = 0;
 };
 

@@ -21,10 +21,12 @@ int checkScene(const CheckOptions& options) {
     if (!loaded.compiled.scene) return nullptr;
     return std::uint64_t{((*loaded.compiled.scene).*member).size()};
   };
+  SoNode* root = loaded.file.root.get();
+  const Report::Value triangles = root ? Report::Value(std::uint64_t{drawnTriangles(root)}) : nullptr;
   Report report;
   report.add("walls", count(&HapticScene::walls));
   report.add("zones", count(&HapticScene::zones));
-  report.add("triangles", loaded.file.root ? Report::Value(std::uint64_t{loaded.compiled.triangles}) : nullptr);
+  report.add("triangles", triangles);
   report.add("errors", listOf(loaded.diagnostics, Diagnostic::Severity::error));
   report.add("warnings", listOf(loaded.diagnostics, Diagnostic::Severity::warning));
   if (!options.json) tell(loaded.diagnostics);

@@ -1,8 +1,10 @@
 #include "haptics/index/BuildNodes.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <span>
+#include <tuple>
 
 #include "haptics/index/SplitItems.h"
 
@@ -13,8 +15,6 @@ namespace {
 constexpr std::size_t kLastUnevenDepth = kMaxTreeDepth - 16;
 constexpr std::size_t kWidth = 4;
 
-using Range = std::span<SplitItem>;
-
 BoxNode emptyNode() {
   constexpr float kNever = std::numeric_limits<float>::max();
   BoxNode node;
@@ -24,65 +24,57 @@ BoxNode emptyNode() {
   return node;
 }
 
-/// The ranges that become the four places of a node.
+/// The groups that become the four places of a node.
 class Places {
  public:
-  Places(Range all, bool evenly) : count_(1) {
-    range_[0] = {all, evenly ? 0 : halfArea(boxAround(all))};
-    while (count_ < kWidth && splitOne(evenly)) {
+  Places(const ItemGroup& all, bool evenly) : evenly_(evenly) {
+    place_[count_++] = all;
+    while (count_ < kWidth && splitOne()) {
     }
     for (std::size_t i = 0; i < count_; ++i) {
-      if (range_[i].items.size() > 1 && count_ + range_[i].items.size() - 1 <= kWidth) takeApart(i);
+      if (place_[i].items.size() > 1 && count_ + place_[i].items.size() - 1 <= kWidth) takeApart(i);
     }
   }
   std::size_t count() const { return count_; }
-  Range operator[](std::size_t i) const { return range_[i].items; }
+  const ItemGroup& operator[](std::size_t i) const { return place_[i]; }
 
  private:
-  struct Place {
-    Range items;
-    double area = 0;
-  };
-
-  /// Splits the largest range that does not fit into one node: by area, or by number where that is to be `evenly`.
-  bool splitOne(bool evenly) {
-    Place* largest = nullptr;
+  double size(const ItemGroup& group) const {
+    return evenly_ ? static_cast<double>(group.items.size()) : group.halfArea();
+  }
+  /// Splits the largest group that does not fit into one node.
+  bool splitOne() {
+    ItemGroup* largest = nullptr;
     for (std::size_t i = 0; i < count_; ++i) {
-      Place& place = range_[i];
-      if (place.items.size() <= kWidth) continue;
-      const bool larger = largest == nullptr || (evenly ? place.items.size() > largest->items.size()  //
-                                                        : place.area > largest->area);
-      if (larger) largest = &place;
+      if (place_[i].items.size() <= kWidth) continue;
+      if (largest == nullptr || size(place_[i]) > size(*largest)) largest = &place_[i];
     }
     if (largest == nullptr) return false;
-    const Range all = largest->items;
-    const std::size_t left = evenly ? halve(all) : splitByArea(all);
-    const Range first = all.first(left), second = all.subspan(left);
-    *largest = {first, evenly ? 0 : halfArea(boxAround(first))};
-    range_[count_++] = {second, evenly ? 0 : halfArea(boxAround(second))};
+    std::tie(*largest, place_[count_++]) = evenly_ ? halve(*largest) : splitByArea(*largest);
     return true;
   }
   /// Where there is room, items stand in this node rather than in one of their own.
   void takeApart(std::size_t i) {
-    const Range all = range_[i].items;
-    range_[i].items = all.first(1);
-    for (std::size_t k = 1; k < all.size(); ++k) range_[count_++].items = all.subspan(k, 1);
+    const std::span<SplitItem> items = place_[i].items;
+    place_[i] = ItemGroup::of(items.first(1));
+    for (std::size_t k = 1; k < items.size(); ++k) place_[count_++] = ItemGroup::of(items.subspan(k, 1));
   }
 
-  Place range_[kWidth];
-  std::size_t count_;
+  bool evenly_;
+  std::array<ItemGroup, kWidth> place_;
+  std::size_t count_ = 0;
 };
 
-void build(Range items, std::size_t depth, std::vector<BoxNode>& nodes) {
+void build(const ItemGroup& group, std::size_t depth, std::vector<BoxNode>& nodes) {
   const std::size_t self = nodes.size();
   nodes.push_back(emptyNode());
-  const Places places(items, depth >= kLastUnevenDepth);
+  const Places places(group, depth >= kLastUnevenDepth);
   for (std::size_t i = 0; i < places.count(); ++i) {
-    const Range range = places[i];
-    const bool isItem = range.size() == 1;
-    const auto child = isItem ? range[0].index | BoxNode::kItemFlag : static_cast<std::uint32_t>(nodes.size());
-    nodes[self].set(i, boxAround(range), child);
-    if (!isItem) build(range, depth + 1, nodes);
+    const std::span<SplitItem> items = places[i].items;
+    const bool isItem = items.size() == 1;
+    const auto child = isItem ? items[0].index() | BoxNode::kItemFlag : static_cast<std::uint32_t>(nodes.size());
+    nodes[self].set(i, places[i].box.narrow(), child);
+    if (!isItem) build(places[i], depth + 1, nodes);
   }
 }
 
@@ -91,10 +83,11 @@ void build(Range items, std::size_t depth, std::vector<BoxNode>& nodes) {
 std::vector<BoxNode> buildNodes(const std::vector<FloatBox>& boxes) {
   std::vector<BoxNode> nodes;
   if (boxes.empty()) return nodes;
-  std::vector<SplitItem> items(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) items[i] = {boxes[i], static_cast<std::uint32_t>(i)};
+  std::vector<SplitItem> items;
+  items.reserve(boxes.size());
+  for (const FloatBox& box : boxes) items.emplace_back(box, static_cast<std::uint32_t>(items.size()));
   nodes.reserve(boxes.size() / 2 + 1);
-  build(items, 0, nodes);
+  build(ItemGroup::of(items), 0, nodes);
   nodes.shrink_to_fit();
   return nodes;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace haptiv {
@@ -10,127 +11,130 @@ namespace {
 using Items = std::span<SplitItem>;
 constexpr std::size_t kBins = 16;
 /// Larger groups are split along their longest axis: trying the others costs time and gains nothing there.
-constexpr std::size_t kTryAllAxes = 512;
+constexpr std::size_t kTryAllAxes = 128;
 
-FloatBox nothing() noexcept {
-  constexpr float far = std::numeric_limits<float>::max();
-  return {{far, far, far}, {-far, -far, -far}};
+double halfAreaOf(const WideBox& box) noexcept {
+  const Eigen::Array3d d = box.high.head<3>().cast<double>() - box.low.head<3>().cast<double>();
+  return d[0] * d[1] + d[1] * d[2] + d[2] * d[0] + 1e-3 * d.square().sum();
 }
 
-void include(FloatBox& box, const FloatBox& other) noexcept {
-  for (std::size_t i = 0; i < 3; ++i) {
-    box.low[i] = std::min(box.low[i], other.low[i]);
-    box.high[i] = std::max(box.high[i], other.high[i]);
-  }
-}
-
-/// Twice the middle.
-float middle(const SplitItem& item, std::size_t axis) noexcept {
-  return item.box.low[axis] + item.box.high[axis];
-}
-
-FloatBox middles(std::span<const SplitItem> items) noexcept {
-  FloatBox box = nothing();
-  for (const SplitItem& item : items) {
-    const std::array<float, 3> m{middle(item, 0), middle(item, 1), middle(item, 2)};
-    include(box, {m, m});
-  }
-  return box;
-}
-
-std::size_t longestAxis(const FloatBox& box) noexcept {
-  std::size_t longest = 0;
-  for (std::size_t i = 1; i < 3; ++i) {
-    if (box.high[i] - box.low[i] > box.high[longest] - box.low[longest]) longest = i;
-  }
+Eigen::Index longestAxis(const WideBox& box) noexcept {
+  Eigen::Index longest = 0;
+  (box.high - box.low).head<3>().maxCoeff(&longest);
   return longest;
 }
 
 /// Which of the slices along an axis an item's middle is in.
 struct Slices {
-  Slices(const FloatBox& range, std::size_t newAxis) noexcept
-      : axis(newAxis), low(range.low[axis]), perLength(kBins / (double{range.high[axis]} - double{range.low[axis]})) {}
+  Slices(const WideBox& middles, Eigen::Index newAxis) noexcept
+      : axis(newAxis), low(middles.low[axis]), perLength(kBins / (middles.high[axis] - low)) {}
+  /// Whether there is any length to be cut.
+  bool exist() const noexcept { return std::isfinite(perLength); }
   std::size_t operator()(const SplitItem& item) const noexcept {
-    return std::min(static_cast<std::size_t>((double{middle(item, axis)} - low) * perLength), kBins - 1);
+    const float middle = item.box.low[axis] + item.box.high[axis];
+    return std::min(static_cast<std::size_t>((middle - low) * perLength), kBins - 1);
   }
-  std::size_t axis;
-  double low;
-  double perLength;
+  Eigen::Index axis;
+  float low;
+  float perLength;
 };
 
 struct Split {
   double cost = std::numeric_limits<double>::infinity();
-  std::size_t axis = 0;
+  Eigen::Index axis = 0;
   std::size_t slices = 0;  ///< that go to the first group
 };
 
 /// The best place for a cut between the slices of one axis.
 void tryAxis(Items items, const Slices& sliceOf, Split& best) noexcept {
   struct Bin {
-    FloatBox box = nothing();
+    WideBox box;
     std::size_t count = 0;
+    void include(const Bin& other) noexcept {
+      box.include(other.box);
+      count += other.count;
+    }
+    double cost() const noexcept { return count == 0 ? 0 : halfAreaOf(box) * static_cast<double>(count); }
   };
   std::array<Bin, kBins> bins;
   for (const SplitItem& item : items) {
     Bin& bin = bins[sliceOf(item)];
-    include(bin.box, item.box);
+    bin.box.include(item.box);
     ++bin.count;
   }
   std::array<double, kBins> costBehind{};  // of the slices from here on
   Bin behind;
   for (std::size_t i = kBins - 1; i > 0; --i) {
-    include(behind.box, bins[i].box);
-    behind.count += bins[i].count;
-    costBehind[i] = behind.count == 0 ? 0 : halfArea(behind.box) * static_cast<double>(behind.count);
+    behind.include(bins[i]);
+    costBehind[i] = behind.cost();
   }
   Bin before;
   for (std::size_t i = 0; i + 1 < kBins; ++i) {
-    include(before.box, bins[i].box);
-    before.count += bins[i].count;
+    before.include(bins[i]);
     if (before.count == 0 || before.count == items.size()) continue;
-    const double cost = halfArea(before.box) * static_cast<double>(before.count) + costBehind[i + 1];
+    const double cost = before.cost() + costBehind[i + 1];
     if (cost < best.cost) best = {cost, sliceOf.axis, i + 1};
   }
 }
 
+/// Both groups, boxes and all, in one pass.
+template <typename GoesFirst>
+std::pair<ItemGroup, ItemGroup> partition(Items items, GoesFirst&& goesFirst) noexcept {
+  ItemGroup first, second;
+  std::size_t begin = 0, end = items.size();
+  while (begin < end) {
+    if (goesFirst(items[begin])) {
+      first.include(items[begin++]);
+    } else {
+      second.include(items[begin]);
+      std::swap(items[begin], items[--end]);
+    }
+  }
+  first.items = items.first(begin);
+  second.items = items.subspan(begin);
+  return {first, second};
+}
+
+std::pair<ItemGroup, ItemGroup> cutInTwo(Items items) noexcept {
+  const std::size_t half = items.size() / 2;
+  return {ItemGroup::of(items.first(half)), ItemGroup::of(items.subspan(half))};
+}
+
 }  // namespace
 
-FloatBox boxAround(std::span<const SplitItem> items) noexcept {
-  FloatBox box = nothing();
-  for (const SplitItem& item : items) include(box, item.box);
-  return box;
+ItemGroup ItemGroup::of(Items items) noexcept {
+  ItemGroup group;
+  group.items = items;
+  for (const SplitItem& item : items) group.include(item);
+  return group;
 }
 
-double halfArea(const FloatBox& box) noexcept {
-  const double x = double{box.high[0]} - double{box.low[0]};
-  const double y = double{box.high[1]} - double{box.low[1]};
-  const double z = double{box.high[2]} - double{box.low[2]};
-  return x * y + y * z + z * x + 1e-3 * (x * x + y * y + z * z);
+double ItemGroup::halfArea() const noexcept {
+  return halfAreaOf(box);
 }
 
-std::size_t splitByArea(Items items) noexcept {
-  const FloatBox range = middles(items);
+std::pair<ItemGroup, ItemGroup> splitByArea(const ItemGroup& group) noexcept {
+  const Eigen::Index longest = longestAxis(group.middles);
   Split best;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!(range.high[axis] > range.low[axis])) continue;
-    if (items.size() > kTryAllAxes && axis != longestAxis(range)) continue;
-    tryAxis(items, Slices(range, axis), best);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    if (group.items.size() > kTryAllAxes && axis != longest) continue;
+    const Slices slices(group.middles, axis);
+    if (slices.exist()) tryAxis(group.items, slices, best);
   }
-  if (best.slices == 0) return items.size() / 2;  // all on one spot
-  const Slices sliceOf(range, best.axis);
-  const auto second =
-      std::partition(items.begin(), items.end(), [&](const SplitItem& item) { return sliceOf(item) < best.slices; });
-  return static_cast<std::size_t>(second - items.begin());
+  if (best.slices == 0) return cutInTwo(group.items);  // all on one spot
+  const Slices sliceOf(group.middles, best.axis);
+  return partition(group.items, [&](const SplitItem& item) { return sliceOf(item) < best.slices; });
 }
 
-std::size_t halve(Items items) noexcept {
-  const std::size_t axis = longestAxis(middles(items));
-  const auto half = static_cast<std::ptrdiff_t>(items.size() / 2);
-  std::nth_element(items.begin(), items.begin() + half, items.end(), [&](const SplitItem& a, const SplitItem& b) {
-    const float ma = middle(a, axis), mb = middle(b, axis);
-    return ma != mb ? ma < mb : a.index < b.index;
-  });
-  return items.size() / 2;
+std::pair<ItemGroup, ItemGroup> halve(const ItemGroup& group) noexcept {
+  const Eigen::Index axis = longestAxis(group.middles);
+  const auto half = static_cast<std::ptrdiff_t>(group.items.size() / 2);
+  std::nth_element(group.items.begin(), group.items.begin() + half, group.items.end(),
+                   [&](const SplitItem& a, const SplitItem& b) {
+                     const float ma = a.middle()[axis], mb = b.middle()[axis];
+                     return ma != mb ? ma < mb : a.index() < b.index();
+                   });
+  return cutInTwo(group.items);
 }
 
 }  // namespace haptiv

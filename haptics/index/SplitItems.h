@@ -1,29 +1,61 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "haptics/index/FloatBox.h"
 
 namespace haptiv {
 
-/// A box while the tree is built.
-struct SplitItem {
-  FloatBox box;
-  std::uint32_t index = 0;
+using Float4 = Eigen::Array4f;
+
+/// A box while the tree is built, four lanes wide for the sake of speed; the fourth means nothing.
+struct WideBox {
+  Float4 low = Float4::Constant(std::numeric_limits<float>::max());
+  Float4 high = Float4::Constant(-std::numeric_limits<float>::max());
+
+  void include(const WideBox& other) noexcept {
+    low = low.min(other.low);
+    high = high.max(other.high);
+  }
+  FloatBox narrow() const noexcept { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
 };
 
-/// The smallest box around all of at least one.
-FloatBox boxAround(std::span<const SplitItem> items) noexcept;
+/// An item's box and, in the lane that is free, its number.
+struct SplitItem {
+  SplitItem(const FloatBox& from, std::uint32_t index) noexcept {
+    box.low << from.low[0], from.low[1], from.low[2], 0;
+    box.high << from.high[0], from.high[1], from.high[2], std::bit_cast<float>(index);
+  }
+  std::uint32_t index() const noexcept { return std::bit_cast<std::uint32_t>(box.high[3]); }
+  Float4 middle() const noexcept { return box.low + box.high; }  ///< twice the middle
 
-/// Half the surface of a box, and for boxes without a surface still something that grows with them.
-double halfArea(const FloatBox& box) noexcept;
+  WideBox box;
+};
 
-/// Sorts items into two groups that are small and lie apart, the first group first; returns its number. Both have at
-/// least one item; there are at least two. Binned surface-area heuristic.
-std::size_t splitByArea(std::span<SplitItem> items) noexcept;
+/// Items that are to stand below one place of the tree.
+struct ItemGroup {
+  std::span<SplitItem> items;
+  WideBox box;      ///< around them
+  WideBox middles;  ///< around their middles
+
+  static ItemGroup of(std::span<SplitItem> items) noexcept;
+  /// Takes an item's box in; not the item.
+  void include(const SplitItem& item) noexcept {
+    box.include(item.box);
+    middles.include({item.middle(), item.middle()});
+  }
+  /// Half the surface of the box; where it has none, still something that grows with it.
+  double halfArea() const noexcept;
+};
+
+/// Sorts the items into two groups that are small and lie apart, the first group first. Both have at least one item;
+/// there are at least two. Binned surface-area heuristic.
+std::pair<ItemGroup, ItemGroup> splitByArea(const ItemGroup& group) noexcept;
 
 /// The same with two halves of one size, along the longest axis.
-std::size_t halve(std::span<SplitItem> items) noexcept;
+std::pair<ItemGroup, ItemGroup> halve(const ItemGroup& group) noexcept;
 
 }  // namespace haptiv

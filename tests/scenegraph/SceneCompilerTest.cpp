@@ -202,7 +202,8 @@ TEST(SceneCompiler, KeepsTheIdOfAWallThroughEdits) {
 }
 
 TEST(SceneCompiler, CountsTheTrianglesThatAreDrawn) {
-  EXPECT_EQ(compile("Cube { } Switch { Cube { } } Array { numElements1 3 Cube { } }").triangles, 4u * 12u);
+  const SceneFile scene = read("Cube { } Switch { Cube { } } Array { numElements1 3 Cube { } }");
+  EXPECT_EQ(drawnTriangles(scene.root.get()), 4u * 12u);
 }
 
 TEST(SceneCompiler, CarriesTheBoundsThatTheServoLooksThingsUpBy) {
