@@ -135,6 +135,7 @@ Report::List listOf(const Diagnostics& diagnostics, Diagnostic::Severity severit
   for (const Diagnostic& diagnostic : diagnostics) {
     if (diagnostic.severity != severity) continue;
     Report& entry = list.emplace_back();
+    entry.add("file", diagnostic.file);
     entry.add("line", static_cast<std::uint64_t>(std::max(0, diagnostic.line)));
     entry.add("node", diagnostic.node);
     entry.add("message", diagnostic.message);

@@ -31,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr unsigned kHang = 100;  // seconds for one scene; its rehearsal ends itself after 60 to 90
+constexpr unsigned kHang = 100;  // seconds for one scene; its rehearsal ends itself after 30 to 60
 
 struct Options {
   int seconds = 60;

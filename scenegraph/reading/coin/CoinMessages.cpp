@@ -55,6 +55,7 @@ Diagnostics CoinMessages::ofReadScene() const {
     if (!isReplaced) diagnostic.severity = Diagnostic::Severity::warning;
     if (diagnostic.message.find("No script language") != std::string::npos)
       diagnostic.message = "its Script nodes are not run: what they would do is missing";
+    if (diagnostic.message.find("SoVRMLSound") != std::string::npos) diagnostic.message = "its sounds are not played";
     told.push_back(std::move(diagnostic));
   }
   return told;

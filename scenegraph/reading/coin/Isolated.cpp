@@ -21,7 +21,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kTime = std::chrono::seconds(60);
+constexpr auto kTime = std::chrono::seconds(30);
 constexpr rlim_t kMemory = rlim_t{4} << 30;
 constexpr std::size_t kMaxResult = std::size_t{1} << 30;
 
@@ -82,7 +82,7 @@ void writeAll(int to, const std::string& text) {
 /// Everything that the child writes, until it ends or its time is over.
 std::string listen(int from, pid_t child) {
   std::string answer;
-  const auto deadline = Clock::now() + kTime + kTime / 2;
+  const auto deadline = Clock::now() + 2 * kTime;
   std::string piece(1 << 16, '\0');
   for (;;) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
@@ -101,7 +101,7 @@ std::string listen(int from, pid_t child) {
 
 Isolated faultOf(int status, const Note& last) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  const std::string how = signal == SIGKILL || signal == SIGXCPU ? "takes longer than a minute" : "crashes";
+  const std::string how = signal == SIGKILL || signal == SIGXCPU ? "takes longer than half a minute" : "crashes";
   return {{}, "Coin " + how + " while it " + last.doing + ": correct or simplify the scene there", last.line};
 }
 

@@ -40,6 +40,12 @@ void loadPicture(SoField* field, const std::string& path) {
   field->set(before.getString());
 }
 
+/// Why Coin could not load a picture.
+std::string pictureFault(const Diagnostics& said) {
+  const std::string& message = said.front().message;
+  return message.find("simage library") == std::string::npos ? message : "install libsimage20";
+}
+
 class Loader {
  public:
   Loader(const NamingFile& from, const ReadScene& readScene) : from_(from), readScene_(readScene) {}
@@ -49,24 +55,21 @@ class Loader {
   void load(SoNode* node) {
     const NamedFields named = namedFields(node);
     for (SoField* field : named.fields) {
-      if (field->isConnected()) disconnect(node, field);
-      if (named.use == Use::scene) loadScene(node, field);
-      if (named.use == Use::picture) loadPictures(node, field);
-      if (named.use == Use::later) keepOrClear(node, field);
-      if (named.use == Use::font) checkFont(node, field);
+      const std::vector<std::string> names = stringsOf(field);
+      if (names.empty() && field->isConnected())
+        say(Severity::warning, node, "a file's name that is computed is not followed: write the name itself");
+      field->disconnect();  // what it holds now counts, not what it will hold
+      if (named.use == Use::scene) loadScene(node, names);
+      if (named.use == Use::picture) loadPictures(node, field, names);
+      if (named.use == Use::later) keepOrClear(node, field, names);
+      if (named.use == Use::font) checkFont(node, field, names);
     }
   }
 
  private:
-  void disconnect(SoNode* node, SoField* field) {
-    field->disconnect();
-    clearStrings(field);
-    say(Severity::warning, node, "a file's name that is computed is not followed: write the name itself");
-  }
-
-  void loadScene(SoNode* node, SoField* field) {
+  void loadScene(SoNode* node, const std::vector<std::string>& names) {
     NamedFile last;
-    for (const std::string& name : stringsOf(field)) {
+    for (const std::string& name : names) {
       if (isUndefined(name)) return;
       last = judgeName(name, from_.folder, from_.home);
       if (last.verdict == Verdict::inside) return attach(node, readScene_(last.path, node));
@@ -84,9 +87,9 @@ class Loader {
   }
 
   /// Of several names that of the first picture that can be had.
-  void loadPictures(SoNode* node, SoField* field) {
+  void loadPictures(SoNode* node, SoField* field, const std::vector<std::string>& names) {
     std::string why;
-    for (const std::string& name : stringsOf(field)) {
+    for (const std::string& name : names) {
       const NamedFile file = judgeName(name, from_.folder, from_.home);
       why = file.why;
       if (!why.empty()) continue;
@@ -94,14 +97,14 @@ class Loader {
       loadPicture(field, file.path.string());
       if (!messages.diagnostics().empty())
         say(Severity::warning, node,
-            "the texture \"" + name.substr(0, 200) + "\" cannot be shown: " + messages.diagnostics().front().message);
+            "the texture \"" + name.substr(0, 200) + "\" cannot be shown: " + pictureFault(messages.diagnostics()));
       return;
     }
     if (!why.empty()) say(Severity::warning, node, "the texture " + why);
   }
 
-  void keepOrClear(SoNode* node, SoField* field) {
-    for (const std::string& name : stringsOf(field)) {
+  void keepOrClear(SoNode* node, SoField* field, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
       const NamedFile file = judgeName(name, from_.folder, from_.home);
       if (file.verdict != Verdict::forbidden) continue;
       clearStrings(field);
@@ -110,8 +113,7 @@ class Loader {
   }
 
   /// Coin asks the system for fonts by their names, and takes a path for a name.
-  void checkFont(SoNode* node, SoField* field) {
-    const std::vector<std::string> names = stringsOf(field);
+  void checkFont(SoNode* node, SoField* field, const std::vector<std::string>& names) {
     if (names.empty() || names.front().find('/') == std::string::npos) return;
     field->set("defaultFont");
     say(Severity::warning, node,

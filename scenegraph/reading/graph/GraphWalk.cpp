@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kMaxCost = 5e7;  // about a million triangles a second and some seconds to go through it
 constexpr double kNodeCost = 16;  // a visited node costs about as much as so many visited values
+constexpr double kQuadCost = 32;  // two triangles, and their normals, which are made from all around
 constexpr int kMaxDepth = 1000;   // actions recurse, and USE makes a graph deeper than its text
 
 std::vector<SoNode*> nodesInFields(const SoNode* node) {
@@ -66,7 +67,7 @@ double ownCost(const SoNode* node) {
     if (const auto* strings = dynamic_cast<const SoMFString*>(fields[i])) cost += letterCost(*strings);
   }
   if (const auto* extrusion = dynamic_cast<const SoVRMLExtrusion*>(node))
-    cost += static_cast<double>(extrusion->crossSection.getNum()) * extrusion->spine.getNum();
+    cost += kQuadCost * static_cast<double>(extrusion->crossSection.getNum()) * extrusion->spine.getNum();
   return cost;
 }
 
