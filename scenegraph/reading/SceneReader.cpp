@@ -152,8 +152,11 @@ NodeRef<SoSeparator> SceneReader::include(SceneFile& scene, const fs::path& path
 }
 
 void SceneReader::judge(SceneFile& scene) {
-  const std::string fault = expansionFault(scene.root.get());
-  if (!fault.empty()) return fail(scene, fault);
+  const auto [why, node] = expansionFault(scene.root.get());
+  if (!why.empty()) {
+    const bool isRoot = node == scene.root.get();
+    return addLocated(scene, {{Severity::error, {}, 0, isRoot ? std::string() : describe(node), why, node}});
+  }
   addLocated(scene, shapeIndexFaults(scene.root.get()));
 }
 

@@ -80,7 +80,7 @@ Isolated rehearse(const std::string& text) {
     const auto root = read(text);
     if (!root) return std::string();
     switchOffNurbs(root.get());
-    if (expansionFault(root.get()).empty() && !hasErrors(shapeIndexFaults(root.get()))) goThrough(root.get());
+    if (expansionFault(root.get()).why.empty() && !hasErrors(shapeIndexFaults(root.get()))) goThrough(root.get());
     return std::string();
   });
 }
@@ -95,7 +95,7 @@ Isolated convertBinary(const std::string& bytes) {
       throw std::runtime_error(said.empty() ? "Coin cannot read it: is it cut off?" : said.front().message);
     }
     if (root->getNumChildren() == 0) throw std::runtime_error("it holds no node that can be read: is it cut off?");
-    const std::string fault = expansionFault(root.get());
+    const std::string fault = expansionFault(root.get()).why;
     if (!fault.empty()) throw std::runtime_error(fault);
     tellProgress("turns the scene, which is binary, into text");
     static constexpr int kDigits = 9;  // every float comes back as it was

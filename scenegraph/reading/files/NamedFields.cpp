@@ -72,9 +72,12 @@ std::vector<std::string> stringsOf(SoField* field) {
   return strings;
 }
 
-void clearStrings(SoField* field) {
-  if (auto* one = dynamic_cast<SoSFString*>(field)) one->setValue("");
-  if (auto* many = dynamic_cast<SoMFString*>(field)) many->setNum(0);
+void setStrings(SoField* field, const std::vector<std::string>& strings) {
+  if (auto* one = dynamic_cast<SoSFString*>(field)) one->setValue(strings.empty() ? "" : strings.front().c_str());
+  if (auto* many = dynamic_cast<SoMFString*>(field)) {
+    many->setNum(0);
+    for (const std::string& string : strings) many->set1Value(many->getNum(), string.c_str());
+  }
 }
 
 }  // namespace haptiv

@@ -27,7 +27,7 @@ NamedFields namedFields(SoNode* node);
 /// The strings that a field holds.
 std::vector<std::string> stringsOf(SoField* field);
 
-/// Sets all of them to nothing.
-void clearStrings(SoField* field);
+/// Makes them those; a field that holds one takes the first, or an empty one.
+void setStrings(SoField* field, const std::vector<std::string>& strings);
 
 }  // namespace haptiv

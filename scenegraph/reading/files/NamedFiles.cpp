@@ -55,10 +55,7 @@ class Loader {
   void load(SoNode* node) {
     const NamedFields named = namedFields(node);
     for (SoField* field : named.fields) {
-      const std::vector<std::string> names = stringsOf(field);
-      if (names.empty() && field->isConnected())
-        say(Severity::warning, node, "a file's name that is computed is not followed: write the name itself");
-      field->disconnect();  // what it holds now counts, not what it will hold
+      const std::vector<std::string> names = takeConnected(node, field);
       if (named.use == Use::scene) loadScene(node, names);
       if (named.use == Use::picture) loadPictures(node, field, names);
       if (named.use == Use::later) keepOrClear(node, field, names);
@@ -67,6 +64,22 @@ class Loader {
   }
 
  private:
+  /// What a field names. A name that comes from another field, as in a prototype, becomes the field's own; what an
+  /// engine computes, and what will come later, is not followed.
+  std::vector<std::string> takeConnected(SoNode* node, SoField* field) {
+    if (!field->isConnected()) return stringsOf(field);
+    SoField* source = field;
+    static constexpr int kMaxSteps = 16;  // fields may be connected in a circle
+    for (int i = 0; i < kMaxSteps && source->getConnectedField(source); ++i) {
+    }
+    const std::vector<std::string> names = stringsOf(source);
+    field->disconnect();
+    setStrings(field, names);
+    if (names.empty())
+      say(Severity::warning, node, "a file's name that is computed is not followed: write the name itself");
+    return names;
+  }
+
   void loadScene(SoNode* node, const std::vector<std::string>& names) {
     NamedFile last;
     for (const std::string& name : names) {
@@ -107,7 +120,7 @@ class Loader {
     for (const std::string& name : names) {
       const NamedFile file = judgeName(name, from_.folder, from_.home);
       if (file.verdict != Verdict::forbidden) continue;
-      clearStrings(field);
+      setStrings(field, {});
       return say(Severity::warning, node, file.why + "; the name is taken out");
     }
   }

@@ -115,7 +115,7 @@ std::vector<SoNode*> writtenNodes(SoNode* root) {
   return order;
 }
 
-std::string expansionFault(SoNode* root) {
+GraphFault expansionFault(SoNode* root) {
   std::unordered_map<const SoNode*, Extent> extents;
   std::vector<Visit> stack;
   const auto enter = [&](SoNode* node) {
@@ -126,6 +126,10 @@ std::string expansionFault(SoNode* root) {
   while (!stack.empty()) {
     Visit& visit = stack.back();
     Extent& extent = extents[visit.node];
+    if (extent.cost > kMaxCost) {
+      return {"the scene becomes too large once every USE, array and shape is written out: use fewer copies",
+              visit.node};
+    }
     if (visit.next == visit.children.size()) {
       extent.open = false;
       stack.pop_back();
@@ -137,14 +141,11 @@ std::string expansionFault(SoNode* root) {
       enter(child);
       continue;
     }
-    if (known->second.open) return "a node stands inside itself: remove the USE that puts it there";
+    if (known->second.open) return {"stands inside itself: remove the USE that puts it there", child};
     ++visit.next;
     extent.cost += timesTraversed(visit.node) * known->second.cost;
     extent.depth = std::max(extent.depth, known->second.depth + 1);
-    if (extent.cost > kMaxCost) {
-      return "the scene becomes too large once every USE and array is written out: use fewer copies";
-    }
-    if (extent.depth > kMaxDepth) return "USE nests the scene deeper than 1000 levels: make it flatter";
+    if (extent.depth > kMaxDepth) return {"USE nests the scene deeper than 1000 levels: make it flatter", visit.node};
   }
   return {};
 }
