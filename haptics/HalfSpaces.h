@@ -1,7 +1,9 @@
 #pragma once
 
-#include <algorithm>
+#include <Eigen/LU>
 #include <array>
+#include <bit>
+#include <cstdint>
 
 #include "device/types.h"
 
@@ -10,6 +12,7 @@ namespace haptiv {
 /// Half spaces normal . x >= offset, in W, in which a point may be.
 template <int Capacity>
 struct HalfSpaces {
+  static_assert(Capacity <= 32);
   std::array<Vector3, Capacity> normal;  ///< unit
   std::array<double, Capacity> offset;   ///< [m]
   std::array<double, Capacity> share;    ///< out: of the way back to them, along the normal, >= 0 [m]
@@ -20,32 +23,93 @@ struct HalfSpaces {
     offset[static_cast<std::size_t>(count++)] = newOffset;
   }
 
-  /// Nearest point to p that is in all of them: p + sum of share * normal (Hildreth's row-action method).
+  /// Nearest point to p that is in all of them: p + sum of share * normal.
   ///
-  /// Exact for one plane and for orthogonal ones, geometrically convergent for others. Where no point is in all of
-  /// them (a gap narrower than the ball) the result is some point between. Realtime-safe: yes.
-  Vector3 nearest(const Vector3& p) noexcept {
-    std::fill_n(share.begin(), count, 0.0);
-    Vector3 x = p;
-    for (int pass = 0; pass < kPasses; ++pass) {
-      double moved = 0;
-      double total = 0;
-      for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-        const double wanted = share[i] + offset[i] - normal[i].dot(x);
-        const double next = wanted > 0 ? wanted : 0;
-        x += (next - share[i]) * normal[i];
-        moved += next > share[i] ? next - share[i] : share[i] - next;
-        total += next;
-        share[i] = next;
-      }
-      if (!(moved > kSettled * total)) break;
-    }
-    return x;
-  }
+  /// Where the planes are (almost) parallel, infinitely many shares lead to one point, and a plane that comes into play
+  /// would step in with all of its share. So each plane gives way a little: the shares s >= 0 are those of
+  ///
+  ///   min |y|^2 / 2 + sum max(0, r_i - n_i . y)^2 / 2d,   r_i = offset_i - n_i . p,   s_i = max(0, r_i - n_i . y) / d
+  ///
+  /// and are then stretched to reach the planes. They are unique, change continuously with all planes (by no more
+  /// than 1 / d times as much) and do not depend on their order: planes on one spot share alike. The point is exact
+  /// for one plane, for orthogonal and for coinciding ones, else within d of the way. Where no point is in all of them
+  /// (a gap narrower than the ball) it is some point between.
+  ///
+  /// Newton's method on the planes that push: a few steps, each a 3 x 3 system. Realtime-safe: yes.
+  Vector3 nearest(const Vector3& p) noexcept;
 
  private:
-  static constexpr int kPasses = 100;       ///< settles corners down to some 20 degrees
-  static constexpr double kSettled = 1e-9;  ///< of the whole way
+  static constexpr double kGive = 1.0 / 128;  ///< d
+  static constexpr int kSteps = 20, kHalvings = 10;
+  using Set = std::uint32_t;  ///< of planes, a bit each
+
+  /// The planes that push at y, with what they are short of; in `energy` d times the function to be minimised.
+  struct Pushing {
+    Set planes = 0;
+    double energy = 0;
+  };
+  Pushing pushingAt(const Vector3& y) const noexcept;
+  /// Where exactly these planes push.
+  Vector3 balance(Set planes) const noexcept;
+  double shortOf(std::size_t i, const Vector3& y) const noexcept { return missing_[i] - normal[i].dot(y); }
+
+  std::array<double, Capacity> missing_;  ///< r
 };
+
+template <int Capacity>
+typename HalfSpaces<Capacity>::Pushing HalfSpaces<Capacity>::pushingAt(const Vector3& y) const noexcept {
+  Pushing pushing;
+  pushing.energy = kGive * y.squaredNorm();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    const double depth = shortOf(i, y);
+    if (!(depth > 0)) continue;
+    pushing.planes |= Set{1} << i;
+    pushing.energy += depth * depth;
+  }
+  return pushing;
+}
+
+template <int Capacity>
+Vector3 HalfSpaces<Capacity>::balance(Set planes) const noexcept {
+  const auto first = static_cast<std::size_t>(std::countr_zero(planes));
+  if (std::has_single_bit(planes)) return missing_[first] / (1 + kGive) * normal[first];
+  Matrix3 sum = kGive * Matrix3::Identity();
+  Vector3 pull = Vector3::Zero();
+  for (Set left = planes; left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(left));
+    sum += normal[i] * normal[i].transpose();
+    pull += missing_[i] * normal[i];
+  }
+  return sum.inverse() * pull;
+}
+
+template <int Capacity>
+Vector3 HalfSpaces<Capacity>::nearest(const Vector3& p) noexcept {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) missing_[i] = offset[i] - normal[i].dot(p);
+  Vector3 y = Vector3::Zero();
+  Pushing now = pushingAt(y);
+  for (int step = 0; step < kSteps && now.planes != 0; ++step) {
+    Vector3 next = balance(now.planes);
+    Pushing then = pushingAt(next);
+    for (int half = 0; half < kHalvings && then.planes != now.planes && then.energy > now.energy; ++half) {
+      next = 0.5 * (y + next);
+      then = pushingAt(next);
+    }
+    const bool isSettled = then.planes == now.planes;
+    y = next;
+    now = then;
+    if (isSettled) break;
+  }
+  double squares = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    const double depth = shortOf(i, y);
+    share[i] = depth > 0 ? depth / kGive : 0;
+    squares += share[i] * share[i];
+  }
+  const double way = y.squaredNorm();
+  const double stretch = squares < way ? 1 + kGive * squares / way : 1 + kGive;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) share[i] *= stretch;
+  return p + stretch * y;
+}
 
 }  // namespace haptiv
