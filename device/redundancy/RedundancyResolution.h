@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+
 #include "device/DeviceDescription.h"
-#include "device/redundancy/ResolutionChoice.h"
+#include "device/redundancy/CriterionPair.h"
+#include "device/redundancy/ResolutionNames.h"
 #include "device/types.h"
 
 namespace haptiv {
@@ -12,12 +15,15 @@ namespace haptiv {
 class RedundancyResolution {
  public:
   /// Computes the normalisations of all criteria, of both solutions: some milliseconds, so that any choice is ready.
+  /// Throws std::invalid_argument where the description's chain is none; a parsed description's never is.
   explicit RedundancyResolution(const DeviceDescription& description);
 
   /// Joint rates [rad/s] that move the tool as wanted.
   ///
   /// Self-motion never drives a joint beyond its rate limit: lambda is shortened as eqs. (17)-(20) ask. The rest can:
   /// the joint limiter slows that.
+  /// Rates held for a period move the tool along a curve; that is taken out to second order, so that self-motion
+  /// leaves the tool still, and not only its velocity zero. With a period of zero it is not.
   /// An arm that is no VISHARD10 has no partitioned solution: the full one serves.
   ///
   /// @param q       [rad]
@@ -28,9 +34,32 @@ class RedundancyResolution {
   JointVector rates(const ResolutionChoice& choice, const JointVector& q, const Jacobian& J, const Vector6& twist,
                     double period) const noexcept;
 
+  /// Whether the arm has a partitioned solution.
+  bool isPartitionable() const noexcept { return isPartitionable_; }
+  /// By what a choice's criteria are divided, eq. (15). Realtime-safe: yes.
+  const CriterionPair& normalisationOf(const ResolutionChoice& choice) const noexcept {
+    return prepared(choice).normalisation;
+  }
+
  private:
-  RedundancySettings settings_;
+  /// What is ready for each choice.
+  struct Prepared {
+    double step = 0;  ///< lambda
+    CriterionPair normalisation;
+    CriterionPair weights;  ///< of the criteria as they are: weight over normalisation, signed to be maximised
+  };
+
+  const Prepared& prepared(const ResolutionChoice& choice) const noexcept;
+  Prepared prepare(const DeviceDescription& description, const ResolutionChoice& choice) const;
+  template <typename At>
+  JointVector compose(const At& solution, Strategy strategy, const Prepared& prepared, const Jacobian& J,
+                      const Vector6& twist, double period) const noexcept;
+
   ControlSettings control_;
+  JointVector rateLimit_;
+  JointVector squaredWeights_;
+  bool isPartitionable_;
+  std::array<std::array<Prepared, kStrategies.size()>, kSolutions.size()> prepared_;
 };
 
 }  // namespace haptiv

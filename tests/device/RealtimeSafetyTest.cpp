@@ -9,7 +9,7 @@
 #include "device/kinematics/Vishard10.h"
 #include "device/redundancy/DriftCorrection.h"
 #include "device/redundancy/JointLimiter.h"
-#include "device/redundancy/LeastNorm.h"
+#include "device/redundancy/RedundancyResolution.h"
 #include "device/simulated/ScriptedHand.h"
 #include "device/simulated/SimulatedDevice.h"
 
@@ -58,6 +58,7 @@ TEST(ServoPathOfTheDevice, NeverAllocates) {
                          std::make_unique<ScriptedHand>(std::vector<HandWaypoint>{{0.01, {0.4, 0, 0}}}), 1);
   device.start(1e-3);
   const Pose desired = arm.forward(description.homeAngles);
+  const RedundancyResolution resolution(description);
   DeviceCommand command;
   command.enabled = true;
   const int count = allocationsOf([&] {
@@ -66,10 +67,11 @@ TEST(ServoPathOfTheDevice, NeverAllocates) {
       const JointVector q = description.jointAngles(reading);
       Vector6 twist = driftCorrection(desired, arm.forward(q), description.control.driftGain);
       twist.head<3>() += 1e-3 * description.handleWrench(reading).force;
-      command.jointRates = leastNormRates(arm.jacobian(q), twist, description.control);
+      const ResolutionChoice choice{kStrategies[i % 4], kSolutions[i / 4 % 2]};
+      command.jointRates = resolution.rates(choice, q, arm.jacobian(q), twist, 1e-3);
       command.jointRates *= slowDownFactor(command.jointRates, description.drives.rateLimit);
       device.write(command);
-      leastNormRates(Jacobian::Zero(), twist, description.control);
+      resolution.rates(choice, q, Jacobian::Zero(), twist, 1e-3);
       arm.inverse(desired.position, q);
     }
   });

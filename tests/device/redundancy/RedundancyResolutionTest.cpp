@@ -1,130 +1,185 @@
-#include "device/redundancy/DriftCorrection.h"
-#include "device/redundancy/LeastNorm.h"
+#include "device/redundancy/RedundancyResolution.h"
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
-#include <Eigen/QR>
+#include <Eigen/Cholesky>
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <limits>
 
-#include "device/kinematics/Vishard10.h"
-#include "tests/support/Random.h"
+#include "device/redundancy/Criterion.h"
+#include "tests/device/kinematics/Chains.h"
+#include "tests/device/redundancy/CircleRun.h"
 
 namespace haptiv {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-const Vishard10 kArm{LinkLengths{}};
-const ControlSettings kControl;
+constexpr double kPeriod = 1e-3;
 
-double manipulability(const Jacobian& J) {
-  const Eigen::Matrix<double, 6, 6> gram = J * J.transpose();
-  return std::sqrt(std::max(0., gram.determinant()));
+/// Choices, one a test: VISHARD10 with the steps and weights of its description.
+class Resolution : public ::testing::TestWithParam<ResolutionChoice> {
+ protected:
+  static void SetUpTestSuite() { resolution_ = std::make_unique<RedundancyResolution>(description_); }
+  static void TearDownTestSuite() { resolution_.reset(); }
+
+  inline static const DeviceDescription description_ = test::circleDevice();
+  inline static std::unique_ptr<RedundancyResolution> resolution_;
+  const ArmKinematics arm_{description_};
+};
+
+std::string nameOfChoice(const ::testing::TestParamInfo<ResolutionChoice>& info) {
+  return nameOf(info.param.solution) + "_" + nameOf(info.param.strategy);
 }
 
-TEST(LeastNormRates, AreThePseudoinverseAwayFromSingularities) {
-  test::Random random(1);
-  int compared = 0;
-  for (int i = 0; i < 300; ++i) {
-    const Jacobian J = kArm.jacobian(random.vector<JointVector>(-kPi, kPi));
-    if (manipulability(J) < 1.01 * kControl.singularityThreshold) continue;
-    const Vector6 twist = random.vector<Vector6>(-1, 1);
-    const JointVector expected = J.completeOrthogonalDecomposition().solve(twist);
-    // The normal equations square the condition number, here below 10^3: 10^6 roundings.
-    EXPECT_LT((leastNormRates(J, twist, kControl) - expected).norm(), 1e-9 * (1 + expected.norm()));
-    ++compared;
+std::vector<ResolutionChoice> allChoices() {
+  std::vector<ResolutionChoice> choices;
+  for (const Solution solution : kSolutions) {
+    for (const Strategy strategy : kStrategies) choices.push_back({strategy, solution});
   }
-  EXPECT_GT(compared, 100);
+  return choices;
 }
 
-TEST(LeastNormRates, MoveTheToolAsWantedAllOverTheWorkspace) {
-  const DeviceDescription description = loadDeviceDescription("vishard10");
-  test::Random random(2);
-  for (int i = 0; i < 300; ++i) {
-    const Vector3 p(random.between(-0.4, 0.45), random.between(-0.45, 0.45), random.between(-0.3, 0.3));
-    const Jacobian J = kArm.jacobian(kArm.inverse(p, description.homeAngles));
-    ASSERT_GT(manipulability(J), description.control.singularityThreshold) << p.transpose();
-    const Vector6 twist = random.vector<Vector6>(-1, 1);
-    EXPECT_LT((J * leastNormRates(J, twist, description.control) - twist).norm(), 1e-10);
-  }
-}
+INSTANTIATE_TEST_SUITE_P(Of, Resolution, ::testing::ValuesIn(allChoices()), nameOfChoice);
 
-TEST(LeastNormRates, StayBoundedAndFiniteAtSingularPoses) {
-  test::Random random(3);
-  JointVector stretched = JointVector::Zero();
-  JointVector upright = random.vector<JointVector>(-1, 1);
-  upright[7] = -upright[5] - upright[6];  // axis 9 upright, as axis 5 is
-  upright[8] = 0;                         // axes 8 and 10 parallel
-  const Jacobian poses[] = {kArm.jacobian(stretched), kArm.jacobian(upright), Jacobian::Zero(),
-                            kArm.jacobian(kArm.inverse({0.5, 0, 0}, stretched))};
-  // At a singular pose |J^T (J J^T + mu^2 I)^-1| <= 1 / (2 mu).
-  const double bound = 1 / (2 * kControl.singularityDamping);
-  for (const Jacobian& J : poses) {
-    ASSERT_LT(manipulability(J), 1e-6);
-    for (int i = 0; i < 50; ++i) {
-      const Vector6 twist = random.vector<Vector6>(-1, 1);
-      const JointVector rates = leastNormRates(J, twist, kControl);
-      ASSERT_TRUE(rates.allFinite());
-      EXPECT_LE(rates.norm(), 1.001 * bound * twist.norm());
+/// Circles at 1 m/s, through the rotational singularities that full nonopt runs into.
+TEST_P(Resolution, TracksCirclesWithinATenthOfAMillimetreAndTheRateLimits) {
+  for (const double r : {0.05, 0.4, 0.8}) {
+    double worst = 0, fastest = 0, smallest = 1, least = 1e9, greatest = 0;
+    test::runCircle(description_, *resolution_, GetParam(), r, [&](const test::CircleTick& tick) {
+      const Dexterity rotational = rotationalDexterity(tick.pose.J_BT);
+      worst = std::max(worst, tick.positionError);
+      fastest = std::max(fastest, tick.rates.cwiseAbs().cwiseQuotient(description_.drives.rateLimit).maxCoeff());
+      smallest = std::min(smallest, rotational.sigma[2]);
+      least = std::min(least, rotational.directional());
+      greatest = std::max(greatest, rotational.directional());
+    });
+    EXPECT_LT(worst, 1e-4) << r;
+    EXPECT_LT(fastest, 1) << r;
+    if (GetParam().strategy != Strategy::nonopt) {
+      EXPECT_GT(smallest, 0.3) << r;
+    } else if (GetParam().solution == Solution::partitioned) {
+      EXPECT_LT(greatest - least, 1e-12) << r;
+    } else {
+      EXPECT_EQ(smallest<0.05, r> 0.3) << r;
     }
   }
 }
 
-TEST(LeastNormRates, HaveNoStepOnTheWayThroughASingularity) {
-  JointVector q = JointVector::Constant(0.4);
-  q[7] = -0.8;  // th8* = 0: singular where th9 = 0
-  Vector6 twist = Vector6::Zero();
-  twist.tail<3>() = Vector3(0.3, 0.2, 0.1);
-  constexpr double kStep = 1e-5;
-  double smallest = 1;
-  q[8] = -0.3;
-  JointVector before = leastNormRates(kArm.jacobian(q), twist, kControl);
-  for (; q[8] < 0.3; q[8] += kStep) {
-    const JointVector rates = leastNormRates(kArm.jacobian(q), twist, kControl);
-    // The slope is of the order of |twist| / mu^2, 400 times the twist per rad, and as much again as mu changes;
-    // a step, of rates of 8 rad/s, would be a thousand times more.
-    ASSERT_LT((rates - before).norm(), 1000 * twist.norm() * kStep) << "at th9 = " << q[8];
-    smallest = std::min(smallest, manipulability(kArm.jacobian(q)));
-    before = rates;
+/// By forward kinematics, and so of whatever order: the tool is to stand still, the arm moves for a period.
+TEST_P(Resolution, LeavesTheToolWithinANanometreWhileTheArmMovesItself) {
+  double moved = 0, fastest = 0;
+  for (const double r : test::kRadii) {
+    JointVector q = test::circleStart(description_.links, r);
+    for (int tick = 0; tick < 200; ++tick) {
+      const ArmPose pose = arm_.evaluate(q);
+      const JointVector rates = resolution_->rates(GetParam(), q, pose.J_BT, Vector6::Zero(), kPeriod);
+      q += kPeriod * rates;
+      moved = std::max(moved, driftCorrection(arm_.forward(q), pose.X_BT, 1).norm());  // [m], [rad]
+      fastest = std::max(fastest, rates.cwiseAbs().maxCoeff());
+    }
   }
-  EXPECT_LT(smallest, 1e-5);  // the way did lead through a singularity
+  EXPECT_LT(moved, 1e-9);
+  EXPECT_EQ(fastest > 0.1, GetParam().strategy != Strategy::nonopt);
 }
 
-TEST(DriftCorrection, IsTheRotationVectorRightUpToHalfATurn) {
-  test::Random random(4);
+TEST_P(Resolution, KeepsRatesWithinTheirLimitsWhereLeastNormDoes) {
+  const ResolutionChoice leastNorm{Strategy::nonopt, GetParam().solution};
+  const JointVector& limit = description_.drives.rateLimit;
+  test::Random random(1);
+  int kept = 0;
   for (int i = 0; i < 500; ++i) {
-    const Vector3 axis = random.vector<Vector3>(-1, 1).normalized();
-    const double angle = i % 5 == 0 ? kPi - 1e-6 : random.between(0, kPi);
-    Pose actual, desired;
-    actual.rotation = Eigen::AngleAxisd(random.between(-3, 3), random.vector<Vector3>(-1, 1).normalized());
-    actual.position = random.vector<Vector3>(-1, 1);
-    desired.rotation = Eigen::AngleAxisd(angle, axis) * actual.rotation;
-    desired.position = random.vector<Vector3>(-1, 1);
-    const Vector6 twist = driftCorrection(desired, actual, 2);
-    EXPECT_LT((twist.head<3>() - 2 * (desired.position - actual.position)).norm(), 1e-14);
-    EXPECT_LT((twist.tail<3>() - 2 * angle * axis).norm(), 1e-12);
+    const JointVector q = random.vector<JointVector>(-3, 3);
+    const Jacobian J = arm_.jacobian(q);
+    const Vector6 twist = random.vector<Vector6>(-1, 1);
+    const JointVector without = resolution_->rates(leastNorm, q, J, twist, 0);
+    if ((without.array().abs() > limit.array()).any()) continue;
+    const JointVector rates = resolution_->rates(GetParam(), q, J, twist, 0);
+    EXPECT_LE(rates.cwiseAbs().cwiseQuotient(limit).maxCoeff(), 1 + 1e-14);
+    ++kept;
+  }
+  EXPECT_GT(kept, 50);
+}
+
+TEST_P(Resolution, GivesZeroRatesForWhatIsNotFinite) {
+  const JointVector q = description_.homeAngles;
+  const Jacobian J = arm_.jacobian(q);
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (int i = 0; i < 6; ++i) {
+      Vector6 twist = Vector6::Ones();
+      twist[i] = bad;
+      EXPECT_EQ(resolution_->rates(GetParam(), q, J, twist, kPeriod), JointVector::Zero());
+    }
+    Jacobian broken = J;
+    broken(4, 7) = bad;
+    EXPECT_EQ(resolution_->rates(GetParam(), q, broken, Vector6::Ones(), kPeriod), JointVector::Zero());
   }
 }
 
-TEST(DriftCorrection, IsZeroWhereNothingHasDrifted) {
-  Pose pose;
-  pose.position = Vector3(1, 2, 3);
-  EXPECT_EQ(driftCorrection(pose, pose, 50), Vector6::Zero());
+TEST_P(Resolution, HasBoundedRatesAtSingularPosesAndAnywhereElse) {
+  test::Random random(2);
+  std::vector<JointVector> poses = {JointVector::Zero(), arm_.inverse({0.5, 0, 0}, JointVector::Zero()),
+                                    arm_.inverse({0.3, 0, 0.424}, description_.homeAngles)};
+  for (int i = 0; i < 200; ++i) {
+    poses.push_back(random.vector<JointVector>(-3, 3));
+    if (i % 2 == 0) poses.back()[8] = 0;
+  }
+  for (const JointVector& q : poses) {
+    const Vector6 twist = random.vector<Vector6>(-1, 1);
+    const JointVector rates = resolution_->rates(GetParam(), q, arm_.jacobian(q), twist, 0);
+    ASSERT_TRUE(rates.allFinite());
+    // At most 1 / mu and some for least norm; in the partitioned solution joints 1 to 4 carry the others' share.
+    EXPECT_LT(rates.norm(), 4 / description_.control.singularityDamping * twist.norm() + 20) << q.transpose();
+  }
 }
 
-TEST(DriftCorrection, BringsTheToolBack) {
-  const DeviceDescription description = loadDeviceDescription("vishard10");
-  JointVector q = description.homeAngles;
-  const Pose desired = kArm.forward(q);
-  q += test::Random(5).vector<JointVector>(-0.05, 0.05);
-  constexpr double kPeriod = 1e-3;
-  for (int tick = 0; tick < 1000; ++tick) {  // 50 time constants
-    const Vector6 twist = driftCorrection(desired, kArm.forward(q), description.control.driftGain);
-    q += kPeriod * leastNormRates(kArm.jacobian(q), twist, description.control);
+TEST_P(Resolution, StaysBoundedWhenPulledBeyondItsReach) {
+  JointVector q = description_.homeAngles;
+  Pose wanted = arm_.forward(q);
+  for (int tick = 0; tick < 2000; ++tick) {
+    wanted.position += kPeriod * Vector3(1, 0.3, 0.4);
+    const ArmPose pose = arm_.evaluate(q);
+    Vector6 twist = driftCorrection(wanted, pose.X_BT, 1);
+    twist /= std::max(1., twist.norm());
+    const JointVector rates = resolution_->rates(GetParam(), q, pose.J_BT, twist, kPeriod);
+    ASSERT_TRUE(rates.allFinite());
+    ASSERT_LT(rates.norm(), 4 / description_.control.singularityDamping + 20);
+    q += kPeriod * rates.cwiseMin(description_.drives.rateLimit).cwiseMax(-description_.drives.rateLimit);
   }
-  EXPECT_LT(driftCorrection(desired, kArm.forward(q), 1).norm(), 1e-12);
+  EXPECT_GT(arm_.forward(q).position.norm(), 0.9);
+}
+
+TEST(Resolution, OfAnArmThatIsNoVishard10IsFull) {
+  DeviceDescription description = test::circleDevice();
+  const RedundancyResolution both(description);
+  EXPECT_TRUE(both.isPartitionable());
+  description.chain = test::vishard10Chain(description.links);
+  const RedundancyResolution resolution(description);
+  EXPECT_FALSE(resolution.isPartitionable());
+  const JointVector q = description.homeAngles;
+  const Jacobian J = ArmKinematics(description).jacobian(q);
+  const ResolutionChoice full{Strategy::dir, Solution::full}, partitioned{Strategy::dir, Solution::partitioned};
+  const Vector6 twist = Vector6::Ones();
+  EXPECT_EQ(resolution.rates(partitioned, q, J, twist, 0), resolution.rates(full, q, J, twist, 0));
+  // The same arm by its closed forms and as a chain.
+  EXPECT_LT((resolution.rates(full, q, J, twist, 0) - both.rates(full, q, J, twist, 0)).norm(), 1e-6);
+}
+
+/// Seven joints: three columns of J are zero, and so are those joints' rates.
+TEST(Resolution, ServesAnyChain) {
+  test::Random random(3);
+  for (int i = 0; i < 20; ++i) {
+    DeviceDescription description;
+    description.chain = test::randomChain(random, 7);
+    description.homeAngles.setConstant(0.5);
+    const RedundancyResolution resolution(description);
+    const JointVector q = random.vector<JointVector>(-3, 3);
+    const Jacobian J = ArmKinematics(description).jacobian(q);
+    const Vector6 twist = random.vector<Vector6>(-1, 1);
+    for (const ResolutionChoice& choice : allChoices()) {
+      const JointVector rates = resolution.rates(choice, q, J, twist, 0);
+      EXPECT_TRUE(rates.allFinite());
+      EXPECT_EQ(rates.tail<3>(), Eigen::Vector3d::Zero());
+    }
+  }
 }
 
 }  // namespace
