@@ -4,6 +4,14 @@
 
 namespace haptiv {
 
+void locate(Diagnostics& diagnostics, const std::unordered_map<const SoNode*, int>& lineOf, const std::string& file) {
+  for (Diagnostic& diagnostic : diagnostics) {
+    diagnostic.file = file;
+    const auto line = lineOf.find(diagnostic.source);
+    if (line != lineOf.end()) diagnostic.line = line->second;
+  }
+}
+
 bool hasErrors(const Diagnostics& diagnostics) {
   return std::ranges::any_of(diagnostics,
                              [](const Diagnostic& d) { return d.severity == Diagnostic::Severity::error; });

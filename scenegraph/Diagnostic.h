@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 class SoNode;
@@ -19,6 +20,8 @@ struct Diagnostic {
 };
 using Diagnostics = std::vector<Diagnostic>;
 
+/// Fills in the file, and the lines of the nodes that have one.
+void locate(Diagnostics& diagnostics, const std::unordered_map<const SoNode*, int>& lineOf, const std::string& file);
 bool hasErrors(const Diagnostics& diagnostics);
 /// "FILE:LINE: error: NODE: MESSAGE"
 std::string toText(const Diagnostic& diagnostic);

@@ -1,26 +1,34 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 
 #include "haptics/HapticScene.h"
 #include "scenegraph/Diagnostic.h"
 #include "scenegraph/SceneFile.h"
+#include "scenegraph/compiling/MeshCache.h"
 #include "scenegraph/compiling/PathIds.h"
+#include "scenegraph/compiling/ShapeOrigin.h"
 
 namespace haptiv {
 
 /// What a scene graph came to.
 struct CompiledScene {
   std::shared_ptr<const HapticScene> scene;  ///< null where there are errors
+  SceneOrigins origins;                      ///< of what is in `scene`
   Diagnostics diagnostics;
 };
+
+/// Told while a long compilation goes on: how many shapes and triangles have been gathered.
+using CompileProgress = std::function<void(std::size_t shapes, std::size_t triangles)>;
 
 /// How many triangles Coin draws of a scene graph. Thread: GUI.
 std::size_t drawnTriangles(SoNode* root);
 
 /// Turns a scene graph into what the servo feels. Keep one for the life of a document: it remembers which id a shape
-/// had, so that the tool's contact with a wall survives an edit. Thread: GUI.
+/// had, so that the tool's contact with a wall survives an edit, and keeps the meshes of shapes that an edit has not
+/// touched. Thread: GUI.
 class SceneCompiler {
  public:
   /// @param lineOf, file  for diagnostics only; nodes made in the editor are not in it
@@ -30,8 +38,13 @@ class SceneCompiler {
   /// Of a whole file, whose nodes may stand in others that it includes.
   CompiledScene compile(const SceneFile& file);
 
+  /// From now on, calls this a few times a second while it compiles; small scenes are done before the first call.
+  void setProgress(CompileProgress progress) { progress_ = std::move(progress); }
+
  private:
   PathIds ids_;
+  MeshCache meshes_;
+  CompileProgress progress_;
   std::uint32_t version_ = 0;
 };
 

@@ -7,6 +7,7 @@
 
 #include "scenegraph/nodes/HapticNodes.h"
 #include "scenegraph/reading/SceneReader.h"
+#include "scenegraph/reading/coin/SceneCameras.h"
 #include "scenegraph/reading/files/SceneBytes.h"
 #include "scenegraph/reading/files/SilentNodes.h"
 
@@ -52,6 +53,7 @@ void initSceneGraph() {
   SoInteraction::init();
   silenceFileNodes();
   initHapticNodes();
+  quietSceneCameras();
 }
 
 SceneFile readScene(const fs::path& path) {

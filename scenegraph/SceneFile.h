@@ -43,5 +43,7 @@ std::string writeSceneText(SoNode* root);
 
 /// Writes the graph to a file: wholly or not at all. Throws std::runtime_error that says why.
 void saveScene(SoNode* root, const std::filesystem::path& path);
+/// The same of any text.
+void saveText(std::string_view text, const std::filesystem::path& path);
 
 }  // namespace haptiv

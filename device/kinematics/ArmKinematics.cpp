@@ -55,7 +55,12 @@ JointVector ArmKinematics::inverse(const Vector3& p_BT, const JointVector& like)
     start = closed->inverse(p_BT - p_CT_B, like);
     if ((forward(start).position - p_BT).norm() <= kReached) return start;
   }
-  return searchPose(*this, wanted, start);
+  const JointVector near = searchPose(*this, wanted, start);
+  // An arm that lies stretched cannot bend by itself: the search from there is caught.
+  const double miss = (forward(near).position - p_BT).norm();
+  if (miss <= kReached) return near;
+  const JointVector other = searchPose(*this, wanted, like);
+  return (forward(other).position - p_BT).norm() < miss ? other : near;
 }
 
 ArmSkeleton ArmKinematics::skeleton(const JointVector& q) const noexcept {

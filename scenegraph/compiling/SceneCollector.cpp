@@ -1,8 +1,16 @@
 #include "scenegraph/compiling/SceneCollector.h"
 
 #include <Inventor/SbMatrix.h>
+#include <Inventor/SoPrimitiveVertex.h>
+#include <Inventor/VRMLnodes/SoVRMLLOD.h>
 #include <Inventor/draggers/SoDragger.h>
+#include <Inventor/elements/SoComplexityElement.h>
+#include <Inventor/misc/SoChildList.h>
+#include <Inventor/nodes/SoLOD.h>
+#include <Inventor/nodes/SoLevelOfDetail.h>
 #include <Inventor/nodes/SoShape.h>
+#include <Inventor/nodes/SoText3.h>
+#include <Inventor/nodes/SoVertexShape.h>
 
 #include <Eigen/Geometry>
 
@@ -11,6 +19,7 @@
 #include "scenegraph/compiling/ShapeConversion.h"
 #include "scenegraph/nodes/SoHapticDevice.h"
 #include "scenegraph/nodes/SoHapticPropertyElement.h"
+#include "scenegraph/nodes/SoHapticRubberBand.h"
 #include "scenegraph/nodes/SoHapticSpringZone.h"
 #include "scenegraph/nodes/SoHapticSurface.h"
 #include "scenegraph/nodes/SoHapticTool.h"
@@ -36,9 +45,26 @@ SurfaceProperties propertiesOf(const SoHapticSurface& node) {
           node.staticFriction.getValue(), node.dynamicFriction.getValue()};
 }
 
+constexpr float kFinest = 1;  // complexity of what Coin cuts into triangles itself
+
+/// Whether its triangles are given by its coordinates, not by a fineness of Coin's choice.
+bool isMadeOfCorners(const SoNode* node) {
+  return node->isOfType(SoVertexShape::getClassTypeId()) || node->isOfType(SoText3::getClassTypeId());
+}
+
+Shape shapeOf(std::shared_ptr<const TriangleMesh> mesh) {
+  Shape shape;
+  shape.kind = Shape::Kind::mesh;
+  shape.centre = (mesh->bounds.low + mesh->bounds.high) / 2;
+  shape.axes = Vector3((mesh->bounds.high - mesh->bounds.low) / 2).asDiagonal();
+  shape.mesh = std::move(mesh);
+  return shape;
+}
+
 }  // namespace
 
-SceneCollector::SceneCollector(std::function<ShapeId(const SoPath&)> idOf) : idOf_(std::move(idOf)) {}
+SceneCollector::SceneCollector(std::function<ShapeId(const SoPath&)> idOf, MeshCache& meshes, Progress progress)
+    : idOf_(std::move(idOf)), meshes_(meshes), progress_(std::move(progress)) {}
 
 void SceneCollector::collect(SoNode* root) {
   SoCallbackAction action;
@@ -46,10 +72,19 @@ void SceneCollector::collect(SoNode* root) {
   action.addPreCallback(SoHapticTool::getClassTypeId(), &onTool, this);
   action.addPreCallback(SoHapticDevice::getClassTypeId(), &onDevice, this);
   action.addPreCallback(SoShape::getClassTypeId(), &onShape, this);
+  action.addTriangleCallback(SoShape::getClassTypeId(), &onTriangle, this);
+  action.addPostCallback(SoShape::getClassTypeId(), &onShapeEnd, this);
+  for (const SoType levels :
+       {SoLOD::getClassTypeId(), SoLevelOfDetail::getClassTypeId(), SoVRMLLOD::getClassTypeId()}) {
+    action.addPreCallback(levels, &onLevels, this);
+  }
   action.addPreCallback(SoDragger::getClassTypeId(), &onDragger, this);
   action.apply(root);
-  if (!tool_) {
-    say(Severity::error, nullptr, "the scene has no tool: add HapticTool { home 0 0 0 } where the ball is to start");
+  meshes_.forgetUnused();
+  if (!origins.tool) {
+    say(Severity::error, nullptr,
+        "the scene has no tool: add HapticTool { home 0 0 0 } where the ball is to start, or make it solid: haptiv run "
+        "--solid");
   }
 }
 
@@ -76,8 +111,32 @@ Response SceneCollector::onDevice(void* self, SoCallbackAction* action, const So
 
 Response SceneCollector::onShape(void* self, SoCallbackAction* action, const SoNode* node) {
   const SoHapticProperty* property = SoHapticPropertyElement::get(action->getState());
-  if (property && property->isFelt()) static_cast<SceneCollector*>(self)->takeShape(*property, node, *action);
-  return SoCallbackAction::PRUNE;  // no triangles are wanted
+  if (!property || !property->isFelt()) return SoCallbackAction::PRUNE;
+  return static_cast<SceneCollector*>(self)->takeShape(node, *action) ? SoCallbackAction::CONTINUE
+                                                                      : SoCallbackAction::PRUNE;
+}
+
+void SceneCollector::onTriangle(void* self, SoCallbackAction*, const SoPrimitiveVertex* a, const SoPrimitiveVertex* b,
+                                const SoPrimitiveVertex* c) {
+  auto& collector = *static_cast<SceneCollector*>(self);
+  if (!collector.open_ || collector.triangles_ > kMaxTriangles) return;
+  collector.open_->soup.add(a->getPoint(), b->getPoint(), c->getPoint());
+  ++collector.triangles_;
+  constexpr std::size_t kOften = 1 << 16;
+  if (collector.triangles_ % kOften == 0) collector.tellProgress();
+}
+
+Response SceneCollector::onShapeEnd(void* self, SoCallbackAction* action, const SoNode* node) {
+  auto& collector = *static_cast<SceneCollector*>(self);
+  if (collector.open_) collector.endMesh(node, *action);
+  return collector.triangles_ > kMaxTriangles ? SoCallbackAction::ABORT : SoCallbackAction::CONTINUE;
+}
+
+// Coin would choose by the camera, which is nothing to the hand.
+Response SceneCollector::onLevels(void*, SoCallbackAction* action, const SoNode* node) {
+  SoChildList* levels = node->getChildren();
+  if (levels && levels->getLength() > 0) levels->traverse(action, 0);
+  return SoCallbackAction::PRUNE;
 }
 
 // The handles of an editor are no part of the scene.
@@ -86,64 +145,109 @@ Response SceneCollector::onDragger(void*, SoCallbackAction*, const SoNode*) {
 }
 
 void SceneCollector::takeTool(const SoHapticTool& tool) {
-  if (tool_) {
+  if (origins.tool) {
     say(Severity::error, &tool, "is a second tool: a scene has one; remove all HapticTool nodes but one");
     return;
   }
-  tool_ = &tool;
+  origins.tool = &tool;
   scene.tool = {tool.mass.getValue(), tool.damping.getValue(), tool.radius.getValue(), toEigen(tool.home.getValue())};
 }
 
 void SceneCollector::takeDevice(const SoHapticDevice& device) {
-  if (device_) {
+  if (origins.device) {
     say(Severity::error, &device, "is a second device: a scene has one; remove all HapticDevice nodes but one");
     return;
   }
-  device_ = &device;
+  origins.device = &device;
   scene.device = {device.description.getValue().getString(), toEigen(device.position.getValue()),
                   toEigen(device.orientation.getValue()), device.scale.getValue()};
 }
 
-void SceneCollector::takeShape(const SoHapticProperty& property, const SoNode* node, SoCallbackAction& action) {
-  if (!isExactShape(node)) {
-    say(Severity::warning, node,
-        "is not felt yet: use Cube, Sphere, Cylinder or Cone, or put HapticNone { } before it");
-    return;
+bool SceneCollector::takeShape(const SoNode* node, SoCallbackAction& action) {
+  ConvertedShape converted = convertShape(node, action.getModelMatrix());
+  if (!converted.fault.empty()) {
+    say(Severity::error, node, converted.fault);
+    return false;
   }
-  const ConvertedShape converted = convertShape(node, action.getModelMatrix());
-  if (!converted.remark.empty()) {
-    say(converted.isError ? Severity::error : Severity::warning, node, converted.remark);
-  }
-  if (converted.shape) add(property, *converted.shape, action);
+  if (!converted.shape) return beginMesh(node, action);
+  add(idOf_(*action.getCurPath()), std::move(*converted.shape), node, action);
+  return false;
 }
 
-void SceneCollector::add(const SoHapticProperty& property, const Shape& shape, SoCallbackAction& action) {
+bool SceneCollector::beginMesh(const SoNode* node, SoCallbackAction& action) {
+  const float complexityBefore = action.getComplexity();
+  if (!isMadeOfCorners(node)) SoComplexityElement::set(action.getState(), kFinest);
   const ShapeId id = idOf_(*action.getCurPath());
-  if (const auto* surface = dynamic_cast<const SoHapticSurface*>(&property)) {
-    Wall wall;
-    wall.id = id;
-    wall.shape = shape;
-    wall.surface = propertiesOf(*surface);
-    scene.walls.push_back(wall);
+  MeshSource source = MeshSource::of(node, action);
+  if (auto known = meshes_.find(id, source)) {
+    triangles_ += known->triangles.size();
+    add(id, shapeOf(std::move(known)), node, action);
+    SoComplexityElement::set(action.getState(), complexityBefore);
+    return false;
+  }
+  TriangleSoup soup(source.toW, source.isClockwise);
+  open_.emplace(OpenMesh{id, std::move(source), std::move(soup), complexityBefore});
+  return true;
+}
+
+void SceneCollector::endMesh(const SoNode* node, SoCallbackAction& action) {
+  OpenMesh ended = std::move(*open_);
+  open_.reset();
+  SoComplexityElement::set(action.getState(), ended.complexityBefore);
+  if (triangles_ > kMaxTriangles) {
+    say(Severity::error, node,
+        "brings what is felt beyond " + std::to_string(kMaxTriangles) +
+            " triangles: put HapticNone { } before what need not be felt, or make the meshes coarser");
+    return;
+  }
+  if (!ended.soup.isFinite()) {
+    say(Severity::error, node, "has corners that are not finite: correct the numbers of its points and transforms");
+    return;
+  }
+  auto mesh = ended.soup.makeMesh();
+  if (!mesh) {
+    say(Severity::warning, node,
+        "is not felt: it has no faces, as lines and points have none, or no area: put HapticNone { } before it, or "
+        "give "
+        "it faces");
+    return;
+  }
+  meshes_.keep(ended.id, std::move(ended.source), mesh);
+  add(ended.id, shapeOf(std::move(mesh)), node, action);
+}
+
+void SceneCollector::add(ShapeId id, Shape shape, const SoNode* node, SoCallbackAction& action) {
+  const SoHapticProperty* property = SoHapticPropertyElement::get(action.getState());
+  constexpr std::size_t kOften = 1 << 12;
+  if ((scene.walls.size() + scene.zones.size() + 1) % kOften == 0) tellProgress();
+  if (const auto* surface = dynamic_cast<const SoHapticSurface*>(property)) {
+    scene.walls.push_back({id, std::move(shape), propertiesOf(*surface)});
+    origins.walls.push_back({node, property});
     return;
   }
   Zone zone;
   zone.id = id;
-  zone.shape = shape;
-  if (const auto* viscous = dynamic_cast<const SoHapticViscousZone*>(&property)) {
+  zone.shape = std::move(shape);
+  if (const auto* viscous = dynamic_cast<const SoHapticViscousZone*>(property)) {
     zone.kind = Zone::Kind::viscous;
     zone.damping = viscous->damping.getValue();
-  } else if (const auto* spring = dynamic_cast<const SoHapticSpringZone*>(&property)) {
-    zone.kind = Zone::Kind::spring;
+  } else if (const auto* spring = dynamic_cast<const SoHapticSpringZone*>(property)) {
+    zone.kind = spring->isOfType(SoHapticRubberBand::getClassTypeId()) ? Zone::Kind::rubberBand : Zone::Kind::spring;
     zone.stiffness = spring->stiffness.getValue();
     zone.restLength = spring->restLength.getValue();
     zone.anchor = transformPoint(action.getModelMatrix(), toEigen(spring->anchor.getValue()));
   }
-  scene.zones.push_back(zone);
+  scene.zones.push_back(std::move(zone));
+  origins.zones.push_back({node, property});
+}
+
+void SceneCollector::tellProgress() const {
+  if (progress_) progress_(scene.walls.size() + scene.zones.size(), triangles_);
 }
 
 void SceneCollector::check(const SoNode* node) {
   if (!checked_.insert(node).second) return;
+  if (node->isOfType(SoHapticProperty::getClassTypeId())) origins.properties.push_back(node);
   for (const FieldFault& fault : checkFields(node)) say(fault.severity, node, fault.message);
 }
 

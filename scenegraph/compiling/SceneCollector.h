@@ -3,6 +3,7 @@
 #include <Inventor/actions/SoCallbackAction.h>
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_set>
@@ -10,6 +11,9 @@
 
 #include "haptics/HapticScene.h"
 #include "scenegraph/Diagnostic.h"
+#include "scenegraph/compiling/MeshCache.h"
+#include "scenegraph/compiling/ShapeOrigin.h"
+#include "scenegraph/compiling/TriangleSoup.h"
 
 namespace haptiv {
 
@@ -17,39 +21,61 @@ class SoHapticDevice;
 class SoHapticProperty;
 class SoHapticTool;
 
-/// Walks through a scene graph once, as Coin does (Switch, USE, arrays), and gathers what is felt. Thread: GUI.
+/// Walks through a scene graph once, as Coin does (Switch, USE, arrays), and gathers what is felt: exact shapes as
+/// such, all others by their triangles. Of levels of detail the first is felt, the finest. Thread: GUI.
 class SceneCollector {
  public:
-  /// @param idOf  gives each felt shape its id, from the nodes on the way to it
-  explicit SceneCollector(std::function<ShapeId(const SoPath&)> idOf);
+  using Progress = std::function<void(std::size_t shapes, std::size_t triangles)>;
+
+  /// @param idOf    gives each felt shape its id, from the nodes on the way to it
+  /// @param meshes  of the compilation before; those of this one afterwards
+  SceneCollector(std::function<ShapeId(const SoPath&)> idOf, MeshCache& meshes, Progress progress = {});
 
   void collect(SoNode* root);
 
-  HapticScene scene;        ///< without version and bounds
-  Diagnostics diagnostics;  ///< with node and source; without file and line
+  static constexpr std::size_t kMaxTriangles = 4'000'000;  ///< felt ones: some hundred bytes each with their index
 
-  /// Null where the scene has none.
-  const SoHapticTool* tool() const { return tool_; }
+  HapticScene scene;        ///< without version and bounds
+  SceneOrigins origins;     ///< of what is in `scene`
+  Diagnostics diagnostics;  ///< with node and source; without file and line
 
  private:
   static SoCallbackAction::Response onProperty(void* self, SoCallbackAction* action, const SoNode* node);
   static SoCallbackAction::Response onTool(void* self, SoCallbackAction* action, const SoNode* node);
   static SoCallbackAction::Response onDevice(void* self, SoCallbackAction* action, const SoNode* node);
   static SoCallbackAction::Response onShape(void* self, SoCallbackAction* action, const SoNode* node);
+  static void onTriangle(void* self, SoCallbackAction* action, const SoPrimitiveVertex* a, const SoPrimitiveVertex* b,
+                         const SoPrimitiveVertex* c);
+  static SoCallbackAction::Response onShapeEnd(void* self, SoCallbackAction* action, const SoNode* node);
+  static SoCallbackAction::Response onLevels(void* self, SoCallbackAction* action, const SoNode* node);
   static SoCallbackAction::Response onDragger(void* self, SoCallbackAction* action, const SoNode* node);
 
   void takeTool(const SoHapticTool& tool);
   void takeDevice(const SoHapticDevice& device);
-  void takeShape(const SoHapticProperty& property, const SoNode* node, SoCallbackAction& action);
-  void add(const SoHapticProperty& property, const Shape& shape, SoCallbackAction& action);
+  /// Whether its triangles are wanted, too.
+  bool takeShape(const SoNode* node, SoCallbackAction& action);
+  bool beginMesh(const SoNode* node, SoCallbackAction& action);
+  void endMesh(const SoNode* node, SoCallbackAction& action);
+  void add(ShapeId id, Shape shape, const SoNode* node, SoCallbackAction& action);
+  void tellProgress() const;
   void check(const SoNode* node);
   void checkPlace(const SoNode* node, SoCallbackAction& action);
   /// The same of the same node is said once, however often USE repeats it.
   void say(Diagnostic::Severity severity, const SoNode* node, const std::string& message);
 
+  /// A shape whose triangles are on their way.
+  struct OpenMesh {
+    ShapeId id = 0;
+    MeshSource source;
+    TriangleSoup soup;
+    float complexityBefore = 0;
+  };
+
   std::function<ShapeId(const SoPath&)> idOf_;
-  const SoHapticTool* tool_ = nullptr;
-  const SoHapticDevice* device_ = nullptr;
+  MeshCache& meshes_;
+  Progress progress_;
+  std::optional<OpenMesh> open_;
+  std::size_t triangles_ = 0;
   std::unordered_set<const SoNode*> checked_;
   std::set<std::pair<const SoNode*, std::string>> said_;
 };

@@ -1,5 +1,9 @@
 #include "scenegraph/compiling/ShapeConversion.h"
 
+#include <Inventor/VRMLnodes/SoVRMLBox.h>
+#include <Inventor/VRMLnodes/SoVRMLCone.h>
+#include <Inventor/VRMLnodes/SoVRMLCylinder.h>
+#include <Inventor/VRMLnodes/SoVRMLSphere.h>
 #include <Inventor/nodes/SoCone.h>
 #include <Inventor/nodes/SoCube.h>
 #include <Inventor/nodes/SoCylinder.h>
@@ -20,12 +24,13 @@ constexpr double kSame = 1e-4;
 
 /// A size of a shape as its node gives it [m].
 struct Size {
-  const char* field;
-  double value;
+  const char* field = "";
+  double value = 0;
 };
+using Sizes = std::array<Size, 3>;
 
 /// Why sizes cannot be used; empty where they can. Zero is no error: such a shape has nothing to feel.
-std::string sizeFault(std::initializer_list<Size> sizes) {
+std::string sizeFault(const Sizes& sizes) {
   for (const Size& size : sizes) {
     if (!(size.value >= 0) || !std::isfinite(size.value)) {
       return std::string(size.field) + " is " + numberText(size.value) + ": write a positive length in metres";
@@ -63,85 +68,86 @@ Matrix3 straighten(const Matrix3& axes) {
   return straight;
 }
 
-ConvertedShape notFelt(std::string why) {
-  return {std::nullopt, false, std::move(why)};
-}
-
-/// The shape that half extents along the local axes become.
-ConvertedShape place(Shape::Kind kind, const Vector3& halfExtents, const SbMatrix& m) {
-  if (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0 || m[3][3] != 1) {
-    return notFelt("is not felt: its transform has a perspective part: use translation, rotation and scale");
-  }
+/// The shape that half extents along the local axes become; nothing where it is none of the exact ones.
+std::optional<Shape> place(Shape::Kind kind, const Vector3& halfExtents, const SbMatrix& m) {
+  if (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0 || m[3][3] != 1) return std::nullopt;  // a perspective part
   Shape shape;
   shape.kind = kind;
   for (int row = 0; row < 3; ++row) {
     for (int axis = 0; axis < 3; ++axis) shape.axes(row, axis) = halfExtents[axis] * m[axis][row];
     shape.centre[row] = m[3][row];
   }
-  if (!shape.axes.allFinite() || !shape.centre.allFinite()) {
-    return {std::nullopt, true, "its transform is not finite: correct the numbers of the transforms before it"};
-  }
-  if ((shape.axes.colwise().norm().array() == 0).any() || !isSolid(shape.axes)) {
-    return notFelt("is not felt: it is flat or empty: give it three extents that are not zero");
-  }
+  if (!shape.axes.allFinite() || !shape.centre.allFinite()) return std::nullopt;
+  if ((shape.axes.colwise().norm().array() == 0).any() || !isSolid(shape.axes)) return std::nullopt;
   const double a = shape.axes.col(0).norm();
   const double b = shape.axes.col(1).norm();
   const double c = shape.axes.col(2).norm();
   const bool straight = orthogonal(shape.axes);
   if (kind == Shape::Kind::sphere) {
-    if (!straight || !sameLength(a, b) || !sameLength(b, c)) {
-      return notFelt("is not felt: its transform makes it an ellipsoid: scale it equally along x, y and z");
-    }
+    if (!straight || !sameLength(a, b) || !sameLength(b, c)) return std::nullopt;
     shape.axes = Matrix3::Identity() * ((a + b + c) / 3);
   } else if (kind != Shape::Kind::box) {
-    if (!straight || !sameLength(a, c)) {
-      return notFelt("is not felt: its transform makes it oval or skew: scale its x and z equally, before rotating");
-    }
+    if (!straight || !sameLength(a, c)) return std::nullopt;
     shape.axes = straighten(shape.axes);
   }
-  return {shape, false, {}};
+  return shape;
 }
 
-void remarkOpen(ConvertedShape& converted) {
-  if (converted.shape) converted.remark = "is felt as if it were closed: set parts to ALL to see what is felt";
+/// A shape as its node gives it.
+struct Solid {
+  Shape::Kind kind = Shape::Kind::box;
+  Sizes sizes;
+  Vector3 halfExtents = Vector3::Zero();
+  bool isWhole = true;  ///< all parts of it are drawn
+};
+
+ConvertedShape convert(const Solid& solid, const SbMatrix& modelMatrix) {
+  const std::string fault = sizeFault(solid.sizes);
+  if (!fault.empty()) return {std::nullopt, fault};
+  if (!solid.isWhole) return {};
+  return {place(solid.kind, solid.halfExtents, modelMatrix), {}};
+}
+
+ConvertedShape convertBox(const SbVec3f& size, const SbMatrix& m) {
+  const Vector3 full(size[0], size[1], size[2]);
+  return convert({Shape::Kind::box, {{{"width", full[0]}, {"height", full[1]}, {"depth", full[2]}}}, full / 2}, m);
+}
+
+ConvertedShape convertSphere(double radius, const SbMatrix& m) {
+  return convert({Shape::Kind::sphere, {{{"radius", radius}}}, Vector3::Constant(radius)}, m);
+}
+
+ConvertedShape convertRound(Shape::Kind kind, double radius, double height, bool isWhole, const SbMatrix& m) {
+  const char* radiusField = kind == Shape::Kind::cone ? "bottomRadius" : "radius";
+  const Vector3 half(radius, height / 2, radius);
+  return convert({kind, {{{radiusField, radius}, {"height", height}}}, half, isWhole}, m);
 }
 
 }  // namespace
 
-bool isExactShape(const SoNode* node) {
-  for (const SoType type :
-       {SoCube::getClassTypeId(), SoSphere::getClassTypeId(), SoCylinder::getClassTypeId(), SoCone::getClassTypeId()}) {
-    if (node->isOfType(type)) return true;
+ConvertedShape convertShape(const SoNode* node, const SbMatrix& m) {
+  if (const auto* cube = dynamic_cast<const SoCube*>(node))
+    return convertBox({cube->width.getValue(), cube->height.getValue(), cube->depth.getValue()}, m);
+  if (const auto* box = dynamic_cast<const SoVRMLBox*>(node)) return convertBox(box->size.getValue(), m);
+  if (const auto* sphere = dynamic_cast<const SoSphere*>(node)) return convertSphere(sphere->radius.getValue(), m);
+  if (const auto* ball = dynamic_cast<const SoVRMLSphere*>(node)) return convertSphere(ball->radius.getValue(), m);
+  if (const auto* c = dynamic_cast<const SoCylinder*>(node)) {
+    const bool isWhole = c->parts.getValue() == SoCylinder::ALL;
+    return convertRound(Shape::Kind::cylinder, c->radius.getValue(), c->height.getValue(), isWhole, m);
   }
-  return false;
-}
-
-ConvertedShape convertShape(const SoNode* node, const SbMatrix& modelMatrix) {
-  ConvertedShape converted;
-  const auto convert = [&](Shape::Kind kind, std::initializer_list<Size> sizes, const Vector3& halfExtents) {
-    const std::string fault = sizeFault(sizes);
-    converted = fault.empty() ? place(kind, halfExtents, modelMatrix) : ConvertedShape{std::nullopt, true, fault};
-  };
-  if (const auto* cube = dynamic_cast<const SoCube*>(node)) {
-    const double w = cube->width.getValue();
-    const double h = cube->height.getValue();
-    const double d = cube->depth.getValue();
-    convert(Shape::Kind::box, {{"width", w}, {"height", h}, {"depth", d}}, Vector3(w, h, d) / 2);
-  } else if (const auto* sphere = dynamic_cast<const SoSphere*>(node)) {
-    const double r = sphere->radius.getValue();
-    convert(Shape::Kind::sphere, {{"radius", r}}, Vector3(r, r, r));
-  } else if (const auto* cylinder = dynamic_cast<const SoCylinder*>(node)) {
-    const double r = cylinder->radius.getValue();
-    const double h = cylinder->height.getValue();
-    convert(Shape::Kind::cylinder, {{"radius", r}, {"height", h}}, Vector3(r, h / 2, r));
-    if (cylinder->parts.getValue() != SoCylinder::ALL) remarkOpen(converted);
-  } else if (const auto* cone = dynamic_cast<const SoCone*>(node)) {
-    const double r = cone->bottomRadius.getValue();
-    const double h = cone->height.getValue();
-    convert(Shape::Kind::cone, {{"bottomRadius", r}, {"height", h}}, Vector3(r, h / 2, r));
-    if (cone->parts.getValue() != SoCone::ALL) remarkOpen(converted);
+  if (const auto* c = dynamic_cast<const SoVRMLCylinder*>(node)) {
+    const bool isWhole = c->side.getValue() && c->top.getValue() && c->bottom.getValue();
+    return convertRound(Shape::Kind::cylinder, c->radius.getValue(), c->height.getValue(), isWhole, m);
   }
-  return converted;
+  if (const auto* c = dynamic_cast<const SoCone*>(node)) {
+    const bool isWhole = c->parts.getValue() == SoCone::ALL;
+    return convertRound(Shape::Kind::cone, c->bottomRadius.getValue(), c->height.getValue(), isWhole, m);
+  }
+  if (const auto* c = dynamic_cast<const SoVRMLCone*>(node)) {
+    const bool isWhole = c->side.getValue() && c->bottom.getValue();
+    return convertRound(Shape::Kind::cone, c->bottomRadius.getValue(), c->height.getValue(), isWhole, m);
+  }
+  return {};
 }
 
 Vector3 transformPoint(const SbMatrix& m, const Vector3& point) {

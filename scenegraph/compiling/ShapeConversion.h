@@ -11,16 +11,15 @@ class SoNode;
 
 namespace haptiv {
 
-/// What became of a Cube, Sphere, Cylinder or Cone under a transform.
+/// What became of a shape under a transform.
 struct ConvertedShape {
-  std::optional<Shape> shape;
-  bool isError = false;  ///< `remark` is an error: a size that cannot be
-  std::string remark;    ///< why there is no shape, or in what it differs; empty where all is well
+  std::optional<Shape> shape;  ///< one of the exact kinds; nothing: it is to be felt by its triangles
+  std::string fault;           ///< a size that cannot be; empty: none
 };
 
-/// Whether a node is one of the four shapes that are felt exactly.
-bool isExactShape(const SoNode* node);
-
+/// A Cube, Sphere, Cylinder or Cone, of Inventor or VRML 97, that its transform leaves what it is. A sphere that
+/// becomes an ellipsoid, a cylinder that becomes oval or skew, one of which a part is left out, and what has no volume
+/// are felt by their triangles, as is everything else.
 /// @param modelMatrix  from the node's coordinates to W, Coin's way (row vectors)
 ConvertedShape convertShape(const SoNode* node, const SbMatrix& modelMatrix);
 

@@ -3,6 +3,7 @@
 #include "scenegraph/nodes/SoHapticDevice.h"
 #include "scenegraph/nodes/SoHapticNone.h"
 #include "scenegraph/nodes/SoHapticPropertyElement.h"
+#include "scenegraph/nodes/SoHapticRubberBand.h"
 #include "scenegraph/nodes/SoHapticSpringZone.h"
 #include "scenegraph/nodes/SoHapticSurface.h"
 #include "scenegraph/nodes/SoHapticTool.h"
@@ -17,6 +18,7 @@ void initHapticNodes() {
   SoHapticSurface::initClass();
   SoHapticViscousZone::initClass();
   SoHapticSpringZone::initClass();
+  SoHapticRubberBand::initClass();
   SoHapticNone::initClass();
   SoHapticTool::initClass();
   SoHapticDevice::initClass();

@@ -83,7 +83,10 @@ void saveScene(SoNode* root, const fs::path& path) {
         ": cannot be saved: the scene holds prototypes (PROTO), which Coin writes so that they are "
         "lost in the end; the file is as it was");
   }
-  const std::string text = writeSceneText(root);
+  saveText(writeSceneText(root), path);
+}
+
+void saveText(std::string_view text, const fs::path& path) {
   std::error_code error;
   fs::path target = fs::canonical(path, error);  // a link stays one: what it points to is replaced
   if (error) target = path;

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "haptics/HapticScene.h"
+#include "scenegraph/judging/SceneJudge.h"
 #include "tests/scenegraph/SceneTesting.h"
 
 namespace haptiv {
@@ -18,6 +19,10 @@ void expectEqual(const Shape& a, const Shape& b) {
   EXPECT_EQ(a.kind, b.kind);
   EXPECT_LE((a.centre - b.centre).cwiseAbs().maxCoeff(), kRounding);
   EXPECT_LE((a.axes - b.axes).cwiseAbs().maxCoeff(), kRounding);
+  ASSERT_EQ(a.mesh == nullptr, b.mesh == nullptr);
+  if (!a.mesh) return;
+  EXPECT_EQ(a.mesh->vertices.size(), b.mesh->vertices.size());
+  EXPECT_TRUE(a.mesh->triangles == b.mesh->triangles);
 }
 
 void expectEqual(const HapticScene& a, const HapticScene& b) {
@@ -41,6 +46,7 @@ void expectEqual(const HapticScene& a, const HapticScene& b) {
     EXPECT_EQ(a.zones[i].kind, b.zones[i].kind);
     EXPECT_FLOAT_EQ(a.zones[i].damping, b.zones[i].damping);
     EXPECT_FLOAT_EQ(a.zones[i].stiffness, b.zones[i].stiffness);
+    EXPECT_FLOAT_EQ(a.zones[i].restLength, b.zones[i].restLength);
     EXPECT_LE((a.zones[i].anchor - b.zones[i].anchor).norm(), kRounding);
     expectEqual(a.zones[i].shape, b.zones[i].shape);
   }
@@ -53,7 +59,9 @@ TEST_P(ExampleScene, LoadsAndCompilesWithoutARemark) {
   ASSERT_TRUE(scene.root) << textOf(scene.diagnostics);
   const CompiledScene compiled = SceneCompiler().compile(scene);
   ASSERT_TRUE(compiled.scene) << textOf(compiled.diagnostics);
-  EXPECT_EQ(textOf(scene.diagnostics) + textOf(compiled.diagnostics), "");
+  const DeviceDescription device = loadDeviceDescription(compiled.scene->device.description);
+  const Diagnostics judgement = judgeScene({*compiled.scene, compiled.origins, device});
+  EXPECT_EQ(textOf(scene.diagnostics) + textOf(compiled.diagnostics) + textOf(judgement), "");
   EXPECT_GT(compiled.scene->walls.size() + compiled.scene->zones.size(), 0u);
   EXPECT_GT(drawnTriangles(scene.root.get()), 0u);
 }
@@ -75,7 +83,7 @@ TEST_P(ExampleScene, IsTheSameAfterSavingAndOpening) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, ExampleScene, ::testing::ValuesIn(scenesIn(sourceDir() / "scenes")),
-                         [](const auto& one) { return one.param.stem().string(); });
+                         testing::nameOfFile);
 
 TEST(LabyrinthScene, HasTheWallsAndZonesOfThePaper) {
   const SceneFile scene = readScene(sourceDir() / "scenes/labyrinth.iv");
@@ -86,6 +94,17 @@ TEST(LabyrinthScene, HasTheWallsAndZonesOfThePaper) {
   ASSERT_EQ(compiled.scene->zones.size(), 2u);
   EXPECT_EQ(compiled.scene->zones[0].kind, Zone::Kind::viscous);
   EXPECT_EQ(compiled.scene->zones[1].kind, Zone::Kind::spring);
+}
+
+TEST(SpringBench, HasTwoSpringsAndABand) {
+  const SceneFile scene = readScene(sourceDir() / "scenes/spring-bench.iv");
+  ASSERT_TRUE(scene.root) << textOf(scene.diagnostics);
+  const CompiledScene compiled = SceneCompiler().compile(scene.root.get());
+  ASSERT_TRUE(compiled.scene);
+  ASSERT_EQ(compiled.scene->zones.size(), 3u);
+  EXPECT_EQ(compiled.scene->zones[1].kind, Zone::Kind::spring);
+  EXPECT_EQ(compiled.scene->zones[2].kind, Zone::Kind::rubberBand);
+  EXPECT_FLOAT_EQ(compiled.scene->zones[2].restLength, 0.04F);
 }
 
 }  // namespace

@@ -72,6 +72,9 @@ INSTANTIATE_TEST_SUITE_P(
         Specification{
             "HapticSpringZone",
             {{"stiffness", "150"}, {"anchor", "0 0 0"}, {"restLength", "0"}, {"enabled", "TRUE"}, {"label", "\"\""}}},
+        Specification{
+            "HapticRubberBand",
+            {{"stiffness", "150"}, {"anchor", "0 0 0"}, {"restLength", "0"}, {"enabled", "TRUE"}, {"label", "\"\""}}},
         Specification{"HapticNone", {}},
         Specification{"HapticTool", {{"mass", "2"}, {"damping", "5"}, {"radius", "0.0099999998"}, {"home", "0 0 0"}}},
         Specification{

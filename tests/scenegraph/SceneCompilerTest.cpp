@@ -96,15 +96,8 @@ TEST_P(RemarkOfCompiler, NamesLineNodeAndRemedy) {
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, RemarkOfCompiler,
-    ::testing::Values(Remark{"HapticSurface { } Scale { scaleFactor 1 2 1 }\nDEF egg Sphere { }",
-                             "test.iv:4: warning: Sphere \"egg\": is not felt: its transform makes it an ellipsoid"},
-                      Remark{"HapticSurface { } Scale { scaleFactor 1 1 2 }\nCylinder { }",
-                             "test.iv:4: warning: Cylinder: is not felt"},
-                      Remark{"HapticSurface { } Cone { parts SIDES }", "Cone: is felt as if it were closed"},
-                      Remark{"HapticSurface { } Cube { width 0 }", "Cube: is not felt: it is flat or empty"},
-                      Remark{"HapticSurface { } Cube { width -1 }",
+    ::testing::Values(Remark{"HapticSurface { } Cube { width -1 }",
                              "error: Cube: width is -1: write a positive length"},
-                      Remark{"HapticSurface { } Text3 { string \"a\" }", "warning: Text3: is not felt yet"},
                       Remark{"HapticSurface { stiffness -5 label \"door\" }",
                              "test.iv:3: error: HapticSurface \"door\": stiffness is -5: write 0 or more N/m"},
                       Remark{"HapticSurface { damping -1 }", "damping is -1"},
@@ -131,13 +124,6 @@ TEST(SceneCompiler, RefusesAToolThatCannotBe) {
   const CompiledScene compiled = SceneCompiler().compile(scene.root.get(), scene.lineOf, scene.path);
   EXPECT_FALSE(compiled.scene);
   EXPECT_EQ(compiled.diagnostics.size(), 3u) << textOf(compiled.diagnostics);
-}
-
-TEST(SceneCompiler, WarnsWhenTheToolStartsInAWall) {
-  const SceneFile scene = read("HapticTool { home 0 0 1.005 radius 0.01 } HapticSurface { } Cube { }");
-  const CompiledScene compiled = SceneCompiler().compile(scene.root.get(), scene.lineOf, scene.path);
-  ASSERT_TRUE(compiled.scene);
-  EXPECT_THAT(textOf(compiled.diagnostics), HasSubstr("test.iv:2: warning: HapticTool: its home is inside a wall"));
 }
 
 TEST(SceneCompiler, LeavesOutWhatIsNotToBeFelt) {

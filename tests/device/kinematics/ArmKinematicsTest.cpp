@@ -53,6 +53,14 @@ TEST(ArmKinematics, InversePutsTheToolOfEitherKindWhereAskedAndKeepsItsOrientati
   }
 }
 
+TEST(ArmKinematics, InverseBendsAnArmThatWouldLieStretched) {
+  for (const DeviceDescription& description : {loadDeviceDescription("vishard10"), asChain()}) {
+    const ArmKinematics arm(description);
+    for (const Vector3& p : {Vector3(0.51, 0, 0), Vector3(0.6, 0, 0), Vector3(0.8, 0, 0), Vector3(-0.7, 0, 0)})
+      EXPECT_LT((arm.forward(arm.inverse(p, description.homeAngles)).position - p).norm(), 1e-9) << p.transpose();
+  }
+}
+
 TEST(ArmKinematics, InverseStaysFiniteWhereNoAngleReaches) {
   for (const DeviceDescription& description : {loadDeviceDescription("vishard10"), asChain()}) {
     const ArmKinematics arm(description);

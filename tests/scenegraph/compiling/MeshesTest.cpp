@@ -1,0 +1,226 @@
+// Shapes that are felt by their triangles.
+#include <Inventor/SbViewportRegion.h>
+#include <Inventor/actions/SoGetBoundingBoxAction.h>
+#include <Inventor/nodes/SoCoordinate3.h>
+#include <Inventor/nodes/SoCube.h>
+#include <Inventor/nodes/SoTransform.h>
+#include <gmock/gmock.h>
+
+#include <Eigen/Geometry>
+
+#include "tests/scenegraph/SceneTesting.h"
+
+namespace haptiv {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::read;
+using testing::textOf;
+
+// Coin's boxes are single precision, and so are its coordinates; the shapes here are about 1 m large.
+constexpr double kFloat = 1e-5;
+
+const std::string kSquare = "Coordinate3 { point [ 0 0 0, 1 0 0, 1 1 0, 0 1 0 ] } ";
+const std::string kFaces = kSquare + "IndexedFaceSet { coordIndex [ 0, 1, 2, 3, -1 ] } ";
+
+struct Felt {
+  std::string name;
+  std::string body;
+  std::size_t walls = 1;
+  bool isBoxLoose =
+      false;  ///< Coin's box is larger than what it draws: room for the next letter, one grid cell too many
+};
+std::ostream& operator<<(std::ostream& out, const Felt& felt) {
+  return out << felt.name;
+}
+
+class FeltByTriangles : public ::testing::TestWithParam<Felt> {};
+
+SbBox3f boxOf(SoNode* root) {
+  SoGetBoundingBoxAction action(SbViewportRegion(640, 480));
+  action.apply(root);
+  return action.getBoundingBox();
+}
+
+CompiledScene compile(SoSeparator* root) {
+  return SceneCompiler().compile(root);
+}
+
+TEST_P(FeltByTriangles, FillsTheBoxInWhichCoinDrawsIt) {
+  const SceneFile scene =
+      read("HapticTool { home 1000 0 0 } Separator { HapticSurface { stiffness 7 } " + GetParam().body + " }");
+  const CompiledScene compiled = compile(scene.root.get());
+  ASSERT_TRUE(compiled.scene) << textOf(compiled.diagnostics);
+  EXPECT_EQ(textOf(compiled.diagnostics), "");
+  ASSERT_EQ(compiled.scene->walls.size(), GetParam().walls);
+  ASSERT_EQ(compiled.origins.walls.size(), GetParam().walls);
+  Vector3 low = Vector3::Constant(1e9), high = -low;
+  for (const Wall& wall : compiled.scene->walls) {
+    ASSERT_EQ(wall.shape.kind, Shape::Kind::mesh);
+    ASSERT_TRUE(wall.shape.mesh);
+    EXPECT_EQ(wall.surface.stiffness, 7);
+    EXPECT_GT(wall.shape.mesh->triangles.size(), 0u);
+    low = low.cwiseMin(wall.shape.centre - wall.shape.axes.diagonal());
+    high = high.cwiseMax(wall.shape.centre + wall.shape.axes.diagonal());
+  }
+  const SbBox3f box = boxOf(scene.root.get());
+  for (int i = 0; i < 3; ++i) {
+    const double least = box.getMin()[i];
+    const double most = box.getMax()[i];
+    EXPECT_NEAR(low[i], least, kFloat);
+    EXPECT_LE(high[i], most + kFloat);
+    EXPECT_GE(high[i], GetParam().isBoxLoose ? (least + most) / 2 : most - kFloat);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, FeltByTriangles,
+    ::testing::Values(
+        Felt{"IndexedFaceSet", kFaces}, Felt{"FaceSet", kSquare + "FaceSet { numVertices 4 }"},
+        Felt{"Concave",
+             "ShapeHints { faceType UNKNOWN_FACE_TYPE } Coordinate3 { point [ 0 0 0, 1 0 0, 0.2 0.2 0, 0 1 0 ] } "
+             "IndexedFaceSet { coordIndex [ 0, 1, 2, 3, -1 ] }"},
+        Felt{"Strip", kSquare + "TriangleStripSet { numVertices 4 }"},
+        Felt{"IndexedStrip", kSquare + "IndexedTriangleStripSet { coordIndex [ 0, 1, 3, 2, -1 ] }"},
+        Felt{"QuadMesh", kSquare + "QuadMesh { verticesPerRow 2 verticesPerColumn 2 }"},
+        Felt{"VertexProperty",
+             "FaceSet { vertexProperty VertexProperty { vertex [ 0 0 0, 2 0 0, 2 1 1 ] } numVertices 3 }"},
+        Felt{"Text3", "Font { size 1 } Text3 { string \"Haptiv\" parts ALL }", 1, true},
+        Felt{"Array", "Array { numElements1 3 separation1 2 0 0 numElements2 2 separation2 0 0 2 " + kFaces + "}", 6},
+        Felt{"MultipleCopy",
+             "MultipleCopy { matrix [ 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1, 1 0 0 0 0 1 0 0 0 0 1 0 5 0 0 1 ] " + kFaces +
+                 "}",
+             2},
+        Felt{"UsedTwice",
+             "Separator { Scale { scaleFactor 2 1 1 } DEF F Group { " + kFaces +
+                 "} } Separator { Rotation { rotation 1 2 3 0.5 } USE F }",
+             2},
+        Felt{"Switch", "Switch { whichChild 1 Cube { } Group { " + kFaces + "} }"},
+        Felt{"Perspective", "MatrixTransform { matrix 1 0 0 0.1 0 1 0 0 0 0 1 0 0 0 0 1 } " + kFaces},
+        Felt{"Flat", "Cube { depth 0 }"}, Felt{"OpenCone", "Cone { parts SIDES }"},
+        Felt{"VrmlFaces",
+             "VRMLTransform { translation 0 0 3 children VRMLShape { geometry VRMLIndexedFaceSet { coord "
+             "VRMLCoordinate { "
+             "point [ 0 0 0, 1 0 0, 1 1 1 ] } coordIndex [ 0, 1, 2, -1 ] } } }"},
+        Felt{"VrmlGrid",
+             "VRMLShape { geometry VRMLElevationGrid { xDimension 2 zDimension 2 height [ 0 0.1 0.2 0.3 ] } }", 1,
+             true}),
+    [](const auto& one) { return one.param.name; });
+
+// Their boxes in Coin are not those of their triangles: of the ideal shape, or of the coarser drawing.
+TEST(FeltByTriangles, HasRoundShapesThatATransformBendsAsFinelyAsCoinCuts) {
+  for (const std::string body : {"Scale { scaleFactor 1 2 1 } Sphere { }", "Scale { scaleFactor 1 1 2 } Cylinder { }",
+                                 "Scale { scaleFactor 1 1 2 } VRMLShape { geometry VRMLSphere { } }",
+                                 "VRMLShape { geometry VRMLCylinder { top FALSE } }"}) {
+    const SceneFile scene = read("HapticTool { home 1000 0 0 } HapticSurface { } " + body);
+    const CompiledScene compiled = compile(scene.root.get());
+    ASSERT_TRUE(compiled.scene) << textOf(compiled.diagnostics);
+    ASSERT_EQ(compiled.scene->walls.size(), 1u) << body;
+    ASSERT_TRUE(compiled.scene->walls[0].shape.mesh) << body;
+    // A corner of an inscribed polygon with n sides is 1 - cos(pi / n) within the circle: 1 % at 22 sides.
+    const Vector3 half = compiled.scene->walls[0].shape.axes.diagonal();
+    EXPECT_NEAR(half.maxCoeff(), body.find("top") == std::string::npos ? 2 : 1, 0.02) << body;
+  }
+}
+
+TEST(FeltByTriangles, TakesTheFinestLevelOfDetail) {
+  const std::string two = "Group { " + kFaces + "} Cube { } ";
+  for (const std::string& body :
+       {"LOD { center 500 0 0 range [ 1 ] " + two + "}", "LOD { range [ 0 ] " + two + "}",
+        "LevelOfDetail { screenArea [ 1e9, 1 ] " + two + "}",
+        "VRMLLOD { center 500 0 0 range [ 1 ] level [ Group { " + kFaces + "}, Cube { } ] }"}) {
+    const SceneFile scene = read("HapticTool { home 1000 0 0 } HapticSurface { } " + body);
+    const CompiledScene compiled = compile(scene.root.get());
+    ASSERT_TRUE(compiled.scene) << textOf(compiled.diagnostics);
+    ASSERT_EQ(compiled.scene->walls.size(), 1u) << body;
+    EXPECT_EQ(compiled.scene->walls[0].shape.kind, Shape::Kind::mesh) << body;
+  }
+}
+
+Vector3 normalOf(const std::string& body) {
+  const SceneFile scene = read("HapticTool { home 1000 0 0 } HapticSurface { } " + body);
+  const CompiledScene compiled = compile(scene.root.get());
+  if (!compiled.scene || compiled.scene->walls.empty()) return Vector3::Zero();
+  const TriangleMesh& mesh = *compiled.scene->walls[0].shape.mesh;
+  return (mesh.corner(0, 1) - mesh.corner(0, 0)).cross(mesh.corner(0, 2) - mesh.corner(0, 0)).normalized();
+}
+
+TEST(FeltByTriangles, FacesTheSideFromWhichItsCornersGoRoundToTheLeft) {
+  EXPECT_TRUE(normalOf(kFaces).isApprox(Vector3::UnitZ()));
+  EXPECT_TRUE(normalOf("Scale { scaleFactor -1 1 1 } " + kFaces).isApprox(Vector3::UnitZ())) << "mirrored";
+  EXPECT_TRUE(normalOf("ShapeHints { vertexOrdering CLOCKWISE } " + kFaces).isApprox(-Vector3::UnitZ()));
+}
+
+TEST(FeltByTriangles, LeavesOutWhatHasNoFaces) {
+  for (const std::string& body :
+       {kSquare + "LineSet { numVertices 4 }", kSquare + "PointSet { }", "Scale { scaleFactor 0 0 1 } " + kFaces}) {
+    const SceneFile scene = read("HapticTool { home 1000 0 0 }\nHapticSurface { } " + body);
+    const CompiledScene compiled = SceneCompiler().compile(scene.root.get(), scene.lineOf, scene.path);
+    ASSERT_TRUE(compiled.scene);
+    EXPECT_TRUE(compiled.scene->walls.empty());
+    EXPECT_THAT(textOf(compiled.diagnostics), HasSubstr("test.iv:3: warning")) << body;
+  }
+}
+
+TEST(FeltByTriangles, InheritsPropertiesDownAVrmlGraph) {
+  const SceneFile scene = readSceneText(
+      "#VRML V2.0 utf8\nHapticTool { home 1000 0 0 }\nTransform { translation 1 0 0 children [ HapticSurface { "
+      "stiffness 9 } "
+      "Group { children Shape { geometry Box { size 1 2 3 } } } Shape { geometry Sphere { radius 2 } } ] }\n"
+      "Shape { geometry Cone { } }\nTransform { children [ HapticViscousZone { } Shape { geometry Cylinder { } } ] }\n",
+      "test.wrl");
+  ASSERT_TRUE(scene.root) << textOf(scene.diagnostics);
+  const CompiledScene compiled = compile(scene.root.get());
+  ASSERT_TRUE(compiled.scene) << textOf(compiled.diagnostics);
+  ASSERT_EQ(compiled.scene->walls.size(), 2u);
+  EXPECT_EQ(compiled.scene->walls[0].surface.stiffness, 9);
+  EXPECT_EQ(compiled.scene->walls[0].shape.kind, Shape::Kind::box);
+  EXPECT_TRUE(compiled.scene->walls[0].shape.axes.diagonal().isApprox(Vector3(0.5, 1, 1.5)));
+  EXPECT_EQ(compiled.scene->walls[1].shape.kind, Shape::Kind::sphere);
+  ASSERT_EQ(compiled.scene->zones.size(), 1u);
+  EXPECT_EQ(compiled.scene->zones[0].shape.kind, Shape::Kind::cylinder);
+}
+
+class MeshesAcrossEdits : public ::testing::Test {
+ protected:
+  MeshesAcrossEdits()
+      : scene_(read("HapticTool { home 1000 0 0 } HapticSurface { } Separator { DEF T Transform { } DEF C Coordinate3 "
+                    "{ point [ 0 0 "
+                    "0, 1 0 0, 1 1 0, 0 1 0 ] } IndexedFaceSet { coordIndex [ 0, 1, 2, 3, -1 ] } } DEF B Cube { }")) {}
+
+  const TriangleMesh* compileMesh() {
+    scenes_.push_back(compiler_.compile(scene_.root.get()).scene);  // no address is used again
+    return scenes_.back() ? scenes_.back()->walls.front().shape.mesh.get() : nullptr;
+  }
+  template <typename Node>
+  Node* named(const char* name) {
+    return static_cast<Node*>(SoNode::getByName(name));
+  }
+
+  SceneFile scene_;
+  SceneCompiler compiler_;
+  std::vector<std::shared_ptr<const HapticScene>> scenes_;
+};
+
+TEST_F(MeshesAcrossEdits, AreKeptWhereNothingOfTheirsHasChanged) {
+  const TriangleMesh* first = compileMesh();
+  ASSERT_TRUE(first);
+  EXPECT_EQ(compileMesh(), first);
+  named<SoCube>("B")->width = 0.5F;
+  EXPECT_EQ(compileMesh(), first) << "another shape was changed";
+}
+
+TEST_F(MeshesAcrossEdits, AreMadeAnewWhereTheirPointsOrPlaceHaveChanged) {
+  const TriangleMesh* first = compileMesh();
+  named<SoCoordinate3>("C")->point.set1Value(2, 1, 1, 1);
+  const TriangleMesh* second = compileMesh();
+  EXPECT_NE(second, first);
+  EXPECT_EQ(second->bounds.high.z(), 1);
+  named<SoTransform>("T")->translation.setValue(0, 0, 2);
+  const TriangleMesh* third = compileMesh();
+  EXPECT_NE(third, second);
+  EXPECT_EQ(third->bounds.high.z(), 3);
+}
+
+}  // namespace
+}  // namespace haptiv
