@@ -7,6 +7,7 @@
 #include "app/commands/CheckCommand.h"
 #include "app/commands/Command.h"
 #include "app/commands/ExitCode.h"
+#include "app/commands/GenerateCommand.h"
 #include "app/commands/InfoCommand.h"
 #include "app/commands/KinematicsCommand.h"
 #include "app/commands/ReplayCommand.h"
@@ -46,6 +47,7 @@ int dispatch(int argc, char** argv) {
   addRunCommand(program);
   addCheckCommand(program);
   addReplayCommand(program, argc, argv);
+  addGenerateCommand(program);
   addInfoCommand(program);
   addKinematicsCommand(program);
   addBenchCommand(program);

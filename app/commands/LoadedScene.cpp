@@ -1,6 +1,7 @@
 #include "app/commands/LoadedScene.h"
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <exception>
 #include <filesystem>
@@ -8,51 +9,75 @@
 #include <iostream>
 
 #include "app/commands/ExitCode.h"
-#include "haptics/SessionStart.h"
-#include "scenegraph/nodes/SoHapticDevice.h"
-#include "scenegraph/nodes/SoHapticTool.h"
+#include "scenegraph/MakeSolid.h"
+#include "scenegraph/judging/SceneJudge.h"
 
 namespace haptiv {
 namespace {
 
-// Where the scene's node of this type stands; 0: nowhere, the default is in force.
-template <typename Node>
-int lineOf(const SceneFile& file) {
-  for (const auto& [node, line] : file.lineOf) {
-    if (node->isOfType(Node::getClassTypeId())) return line;
-  }
-  return 0;
-}
+/// Says that a long compilation is going on: once after a second, and then every second.
+class ProgressLines {
+ public:
+  explicit ProgressLines(std::string path) : path_(std::move(path)) {}
 
-void judgeDevice(LoadedScene& loaded) {
-  const auto complain = [&loaded](int line, const char* node, const std::string& message) {
-    loaded.diagnostics.push_back({Diagnostic::Severity::error, loaded.file.path, line, node, message, nullptr});
-  };
-  const HapticScene& scene = *loaded.compiled.scene;
-  try {
-    loaded.device = loadDeviceDescription(scene.device.description);
-  } catch (const std::exception& error) {
-    complain(lineOf<SoHapticDevice>(loaded.file), "HapticDevice", error.what());
+  void operator()(std::size_t shapes, std::size_t triangles) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - told_ < std::chrono::seconds(1)) return;
+    told_ = now;
+    std::cerr << path_ << ": still being prepared: " << shapes << " shapes, " << triangles << " triangles so far\n";
+  }
+
+ private:
+  std::string path_;
+  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
+};
+
+/// The file on the disk stays as it is; its text here becomes that of the scene that is felt, for the log.
+void makeSolid(SceneFile& file) {
+  const std::vector<NodeRef<>> nodes =
+      solidNodes(file.root.get(), loadDeviceDescription(DevicePlacement().description));
+  if (nodes.empty()) {
+    file.diagnostics.push_back({Diagnostic::Severity::warning,
+                                file.path,
+                                0,
+                                {},
+                                "--solid has nothing to add: the scene says itself what is felt, or has no shapes",
+                                nullptr});
     return;
   }
-  if (!sessionStart(scene, loaded.device).inReach())
-    complain(lineOf<SoHapticTool>(loaded.file), "HapticTool",
-             "home is out of the arm's reach; move it, or the HapticDevice, or raise the device's scale");
+  for (std::size_t i = 0; i < nodes.size(); ++i) file.root->insertChild(nodes[i].get(), static_cast<int>(i));
+  file.text = writeSceneText(file.root.get());
+}
+
+void judge(LoadedScene& loaded, double rate) {
+  const SceneOrigins& origins = loaded.compiled.origins;
+  const HapticScene& scene = *loaded.compiled.scene;
+  Diagnostics found;
+  try {
+    loaded.device = loadDeviceDescription(scene.device.description);
+    found = judgeScene({scene, origins, loaded.device, rate});
+  } catch (const std::exception& error) {
+    found.push_back({Diagnostic::Severity::error, {}, 0, "HapticDevice", error.what(), origins.device});
+  }
+  for (Diagnostic& each : found) locate(each, loaded.file);
+  loaded.diagnostics.insert(loaded.diagnostics.end(), found.begin(), found.end());
 }
 
 }  // namespace
 
-LoadedScene loadScene(const std::string& path) {
+LoadedScene loadScene(const std::string& path, const LoadOptions& options) {
   requireReadable(path);
   LoadedScene loaded;
   loaded.file = readScene(path);
+  if (loaded.file.root && options.solid) makeSolid(loaded.file);
   loaded.diagnostics = loaded.file.diagnostics;
   if (!loaded.file.root) return loaded;
   SceneCompiler compiler;
+  compiler.setProgress(ProgressLines(path));
   loaded.compiled = compiler.compile(loaded.file);
   const Diagnostics& found = loaded.compiled.diagnostics;
   loaded.diagnostics.insert(loaded.diagnostics.end(), found.begin(), found.end());
-  if (loaded.compiled.scene) judgeDevice(loaded);
+  if (loaded.compiled.scene) judge(loaded, options.rate);
   return loaded;
 }
 

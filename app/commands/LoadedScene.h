@@ -18,9 +18,15 @@ struct LoadedScene {
   Diagnostics diagnostics;  ///< of all steps
 };
 
+/// How a scene is loaded.
+struct LoadOptions {
+  bool solid = false;  ///< a file that is only seen becomes something to feel
+  double rate = 1000;  ///< at which it is to be felt [Hz]
+};
+
 /// Reads and judges a scene; what is wrong with it stands in the diagnostics. Needs initSceneGraph.
 /// Throws CommandFailure (kCouldNot) where the file cannot be read at all.
-LoadedScene loadScene(const std::string& path);
+LoadedScene loadScene(const std::string& path, const LoadOptions& options = {});
 
 /// Errors and warnings as lines on stderr.
 void tell(const Diagnostics& diagnostics);

@@ -45,8 +45,6 @@ void refuseWhatIsNotThere(const RunOptions& options) {
         kCouldNot, "--device " + options.device + ": this version drives the simulated arm only; use --device sim");
   if (options.device != "sim")
     throw CommandFailure(kWrongUsage, "--device " + options.device + ": there is no such device; use --device sim");
-  if (options.solid)
-    throw CommandFailure(kCouldNot, "--solid: this version knows the if-then walls only; leave --solid out");
 }
 
 // What is asked for; where nothing is, what the device description says.
@@ -107,7 +105,7 @@ Report reportOf(const RunOptions& options, const SessionSetup& setup, const Outc
 int runSession(const RunOptions& options) {
   refuseWhatIsNotThere(options);
   initSceneGraph();
-  const LoadedScene loaded = loadScene(options.scene);
+  const LoadedScene loaded = loadScene(options.scene, {options.solid, options.rate});
   tell(loaded.diagnostics);
   if (hasErrors(loaded.diagnostics))
     throw CommandFailure(kNotSo, options.scene + ": the scene has errors; mend the lines named above");
@@ -155,7 +153,8 @@ void addRunCommand(const Command& program) {
   run.path("--log", options->log, "Log every tick to this HDF5 file").type("FILE.h5");
   run.path("--picture", options->picture, "Draw the end of the session, 1280 x 720; needs no display").type("FILE.png");
   run.flag("--fast", options->fast, "As fast as the machine allows, and repeatable bit for bit");
-  run.flag("--solid", options->solid, "For meshes; not in this version");
+  run.flag("--solid", options->solid,
+           "Make a scene that is only seen felt: adds a ball and a surface of its size; the file stays as it is");
   run.json(options->json);
 }
 

@@ -32,7 +32,7 @@ struct Editor::Parts {
   Handles handles;
   QPointer<QWidget> tree, panel, diagnostics;
   QAction *undo = nullptr, *redo = nullptr, *wall = nullptr, *dampingZone = nullptr, *springZone = nullptr,
-          *remove = nullptr, *snap = nullptr;
+          *rubberBand = nullptr, *makeSolid = nullptr, *remove = nullptr, *snap = nullptr;
   bool isEnabled = true;
 
   void updateActions() {
@@ -45,7 +45,8 @@ struct Editor::Parts {
     const std::vector<SceneItem> items = listScene(document.root());
     const SceneItem* item = findItem(items, document.selection());
     remove->setEnabled(canEdit && item && item->kind != SceneItem::Kind::tool && item->kind != SceneItem::Kind::device);
-    for (QAction* action : {wall, dampingZone, springZone}) action->setEnabled(canEdit);
+    for (QAction* action : {wall, dampingZone, springZone, rubberBand}) action->setEnabled(canEdit);
+    makeSolid->setEnabled(canEdit && isScenery(items));
   }
 };
 
@@ -94,6 +95,12 @@ void Editor::makeActions() {
                                  "Add a zone that brakes the hand", QKeySequence("D"));
   parts.springZone = makeAction(this, "addSpringZoneAction", EditorIcon::springZone, "Add &spring zone",
                                 "Add a zone that draws the hand to its middle", QKeySequence("S"));
+  parts.rubberBand =
+      makeAction(this, "addRubberBandAction", EditorIcon::rubberBand, "Add &rubber band",
+                 "Add a zone that draws the hand back from farther than its rest length", QKeySequence("R"));
+  parts.makeSolid =
+      makeAction(this, "makeSolidAction", EditorIcon::makeSolid, "&Make solid",
+                 "Make everything that is seen felt: adds a ball and a surface of the model's size", QKeySequence("M"));
   parts.remove = makeAction(this, "removeAction", EditorIcon::remove, "&Delete", "Delete what is selected",
                             QKeySequence(Qt::Key_Delete));
   parts.snap = makeAction(this, "snapToGridAction", EditorIcon::grid, "Snap to &grid",
@@ -109,6 +116,8 @@ void Editor::makeActions() {
   adds(parts.wall, SceneItem::Kind::wall);
   adds(parts.dampingZone, SceneItem::Kind::dampingZone);
   adds(parts.springZone, SceneItem::Kind::springZone);
+  adds(parts.rubberBand, SceneItem::Kind::rubberBand);
+  connect(parts.makeSolid, &QAction::triggered, this, [this] { haptiv::makeSolid(parts_->document); });
   connect(parts.remove, &QAction::triggered, this, [this] { removeShape(parts_->document); });
   connect(parts.snap, &QAction::toggled, this, [this](bool on) { parts_->handles.setSnapping(on); });
 }
@@ -127,6 +136,12 @@ QAction* Editor::addDampingZone() const {
 }
 QAction* Editor::addSpringZone() const {
   return parts_->springZone;
+}
+QAction* Editor::addRubberBand() const {
+  return parts_->rubberBand;
+}
+QAction* Editor::makeSolid() const {
+  return parts_->makeSolid;
 }
 QAction* Editor::remove() const {
   return parts_->remove;

@@ -23,6 +23,8 @@ class Editor : public QObject {
   QAction* addWall() const;
   QAction* addDampingZone() const;
   QAction* addSpringZone() const;
+  QAction* addRubberBand() const;
+  QAction* makeSolid() const;  ///< for scenes that are only seen
   QAction* remove() const;
   QAction* snapToGrid() const;  ///< checkable
 

@@ -9,6 +9,7 @@ namespace {
 
 const QColor kBlue(52, 128, 214);
 const QColor kOrange(226, 140, 38);
+const QColor kGreen(60, 150, 84);
 
 void drawWall(QPainter& painter) {
   painter.setBrush(QColor(176, 184, 196));
@@ -40,6 +41,28 @@ void drawSpring(QPainter& painter) {
   painter.setPen(QPen(kOrange, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   const QPointF points[] = {{11, 24}, {16, 24}, {19, 16}, {23, 32}, {27, 16}, {31, 32}, {33, 24}, {37, 24}};
   painter.drawPolyline(points, 8);
+}
+
+// A band around two pegs.
+void drawBand(QPainter& painter) {
+  painter.setPen(QPen(kGreen, 3));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRoundedRect(11, 17, 26, 14, 7, 7);
+  painter.setBrush(kGreen);
+  for (const int x : {18, 30}) painter.drawEllipse(QPointF(x, 24), 3, 3);
+}
+
+// A cube with its faces filled.
+void drawSolid(QPainter& painter) {
+  const QPointF top[] = {{24, 5}, {41, 14}, {24, 23}, {7, 14}};
+  const QPointF left[] = {{7, 14}, {24, 23}, {24, 43}, {7, 34}};
+  const QPointF right[] = {{41, 14}, {24, 23}, {24, 43}, {41, 34}};
+  painter.setBrush(QColor(216, 221, 228));
+  painter.drawPolygon(top, 4);
+  painter.setBrush(QColor(176, 184, 196));
+  painter.drawPolygon(left, 4);
+  painter.setBrush(QColor(140, 150, 164));
+  painter.drawPolygon(right, 4);
 }
 
 void drawTurn(QPainter& painter, bool toTheLeft) {
@@ -92,6 +115,13 @@ QIcon editorIcon(EditorIcon icon) {
         drawZone(painter, kOrange);
         drawSpring(painter);
       });
+    case EditorIcon::rubberBand:
+      return strokeIcon([](QPainter& painter) {
+        drawZone(painter, kGreen);
+        drawBand(painter);
+      });
+    case EditorIcon::makeSolid:
+      return strokeIcon(drawSolid);
     case EditorIcon::remove:
       return strokeIcon(drawBin);
     case EditorIcon::undo:

@@ -2,6 +2,7 @@
 
 #include <Inventor/nodes/SoSeparator.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "app/editor/NewShape.h"
@@ -9,6 +10,7 @@
 #include "app/editor/commands/InsertNode.h"
 #include "app/editor/commands/RemoveNode.h"
 #include "app/editor/commands/SetField.h"
+#include "scenegraph/MakeSolid.h"
 
 namespace haptiv {
 namespace {
@@ -138,6 +140,21 @@ void removeShape(SceneDocument& document) {
   const int index = path.getIndexFromTail(up);
   document.undoStack().push(new RemoveNode(document, parent, index, QString("removal of %1").arg(item->name)));
   document.select(nullptr);
+}
+
+bool isScenery(const std::vector<SceneItem>& items) {
+  const auto isShape = [](const SceneItem& item) { return item.kind == SceneItem::Kind::scenery; };
+  const auto hasProperty = [](const SceneItem& item) { return item.property != nullptr; };
+  return std::any_of(items.begin(), items.end(), isShape) && std::none_of(items.begin(), items.end(), hasProperty);
+}
+
+void makeSolid(SceneDocument& document) {
+  document.releaseHandles();
+  const std::vector<NodeRef<>> nodes = solidNodes(document.root(), document.device());
+  const Macro macro(document, "making the scene solid");
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    document.undoStack().push(new InsertNode(document, document.root(), static_cast<int>(i), nodes[i].get(), "insert"));
+  }
 }
 
 void addShape(SceneDocument& document, SceneItem::Kind kind) {

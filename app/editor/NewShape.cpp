@@ -1,5 +1,6 @@
 #include "app/editor/NewShape.h"
 
+#include <Inventor/fields/SoSFFloat.h>
 #include <Inventor/fields/SoSFString.h>
 #include <Inventor/nodes/SoCube.h>
 #include <Inventor/nodes/SoMaterial.h>
@@ -12,11 +13,14 @@
 #include <stdexcept>
 
 #include "app/editor/handles/Grid.h"
+#include "scenegraph/judging/ContactDynamics.h"
 
 namespace haptiv {
 namespace {
 
 using Box = Eigen::AlignedBox<double, 3>;
+
+constexpr double kRestLength = 0.02;  // of a new rubber band [m]
 
 struct Recipe {
   const char* keyword;
@@ -32,6 +36,8 @@ Recipe recipeOf(SceneItem::Kind kind) {
       return {"HapticViscousZone", "damping zone", {0.10, 0.10, 0.04}, {0.20f, 0.50f, 0.85f}, 0.6f};
     case SceneItem::Kind::springZone:
       return {"HapticSpringZone", "spring zone", {0.10, 0.10, 0.04}, {0.95f, 0.60f, 0.15f}, 0.6f};
+    case SceneItem::Kind::rubberBand:
+      return {"HapticRubberBand", "rubber band", {0.10, 0.10, 0.04}, {0.35f, 0.65f, 0.40f}, 0.6f};
     default:
       return {"HapticSurface", "wall", {0.10, 0.01, 0.04}, {0.60f, 0.64f, 0.70f}, 0.0f};
   }
@@ -99,13 +105,24 @@ NodeRef<SoNode> make(const char* word, const QString& label) {
   return node;
 }
 
+void set(SoNode& node, const char* field, double value) {
+  if (auto* number = dynamic_cast<SoSFFloat*>(node.getField(field))) number->setValue(static_cast<float>(value));
+}
+
+/// A thin wall needs more than the usual stiffness to keep the device's peak force within it, k >= F / thickness, and
+/// damping to go with it, eq. (33).
+void fitToThickness(SoNode& surface, double thickness, const SceneDocument& document, const Tool& tool) {
+  const double least = std::ceil(document.device().hand.peakForce / thickness / 1000) * 1000;
+  if (least <= SurfaceProperties().stiffness) return;
+  set(surface, "stiffness", least);
+  set(surface, "damping", std::round(ContactDynamics{tool.mass, least, 0}.optimalDamping()));
+}
+
 }  // namespace
 
-NewShape newShape(const SceneDocument& document, SceneItem::Kind kind) {
+NewShape newShape(SceneDocument& document, SceneItem::Kind kind) {
   const Recipe recipe = recipeOf(kind);
-  // The document's own compilation may be older than its graph, by the edits of this turn of the event loop.
-  auto compiled = SceneCompiler().compile(document.root()).scene;
-  if (!compiled) compiled = document.compiled().scene;
+  const auto compiled = document.compileNow().scene;
   const HapticScene scene = compiled ? *compiled : HapticScene();
   const Vector3 size = kind == SceneItem::Kind::wall ? sizeLike(scene.walls, recipe.size) : recipe.size;
 
@@ -113,7 +130,10 @@ NewShape newShape(const SceneDocument& document, SceneItem::Kind kind) {
   made.label = unusedLabel(listScene(document.root()), recipe.stem);
   made.centre = freeCorner(scene, size) + size / 2;
   made.node = NodeRef<SoSeparator>(new SoSeparator);
-  made.node->addChild(make(recipe.keyword, made.label).get());
+  const NodeRef<SoNode> property = make(recipe.keyword, made.label);
+  if (kind == SceneItem::Kind::wall) fitToThickness(*property.get(), size.head<2>().minCoeff(), document, scene.tool);
+  if (kind == SceneItem::Kind::rubberBand) set(*property.get(), "restLength", kRestLength);
+  made.node->addChild(property.get());
   auto* transform = new SoTransform;
   const Eigen::Vector3f centre = made.centre.cast<float>();
   transform->translation.setValue(centre.x(), centre.y(), centre.z());

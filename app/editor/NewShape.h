@@ -19,6 +19,6 @@ struct NewShape {
 
 /// Of a usual size (a wall: as the walls that are there), on the grid, free of everything that is felt, as near to
 /// the ball's home as that allows.
-NewShape newShape(const SceneDocument& document, SceneItem::Kind kind);
+NewShape newShape(SceneDocument& document, SceneItem::Kind kind);
 
 }  // namespace haptiv

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "app/editor/Selection.h"
+#include "scenegraph/judging/SceneJudge.h"
 
 namespace haptiv {
 namespace {
@@ -27,6 +28,8 @@ struct SceneDocument::Parts {
   SceneCompiler compiler;
   CompiledScene compiled;
   Diagnostics diagnostics;
+  DeviceDescription device;  ///< on which the scene is judged ...
+  std::string deviceName;    ///< ... under this name or path
   Selection selection;
   QUndoStack undoStack;
   bool isChanged = false;    ///< sceneChanged is still to be emitted
@@ -35,15 +38,40 @@ struct SceneDocument::Parts {
 
   void compile() {
     CompiledScene next = compiler.compile(file);
-    if (!next.scene) next.scene = compiled.scene;
+    Diagnostics judgement;
+    if (next.scene) {
+      judgement = judge(next);
+    } else {
+      next.scene = compiled.scene;
+    }
     compiled = std::move(next);
     diagnostics = file.diagnostics;
     diagnostics.insert(diagnostics.end(), compiled.diagnostics.begin(), compiled.diagnostics.end());
+    diagnostics.insert(diagnostics.end(), judgement.begin(), judgement.end());
     isToCompile = false;
+  }
+
+  // Called while a handle is dragged: the description is read only when it is another.
+  Diagnostics judge(const CompiledScene& next) {
+    Diagnostics found;
+    try {
+      if (deviceName != next.scene->device.description) {
+        device = loadDeviceDescription(next.scene->device.description);
+        deviceName = next.scene->device.description;
+      }
+      found = judgeScene({*next.scene, next.origins, device});
+    } catch (const std::exception& error) {
+      found.push_back({Diagnostic::Severity::error, {}, 0, "HapticDevice", error.what(), next.origins.device});
+    }
+    for (Diagnostic& each : found) locate(each, file);
+    return found;
   }
 };
 
 SceneDocument::SceneDocument(QObject* parent) : QObject(parent), parts_(std::make_unique<Parts>()) {
+  parts_->compiler.setProgress([this](std::size_t shapes, std::size_t triangles) {
+    emit compiling(static_cast<int>(shapes), static_cast<int>(triangles));
+  });
   connect(&parts_->undoStack, &QUndoStack::cleanChanged, this, [this](bool clean) { emit modifiedChanged(!clean); });
   createNew();
 }
@@ -79,6 +107,7 @@ void SceneDocument::replaceBy(SceneFile file) {
   parts_->undoStack.setClean();
   parts_->file = std::move(file);
   parts_->compiled = {};
+  parts_->deviceName.clear();  // the file of the same name may have changed
   parts_->compile();
   emit sceneReplaced();
   emit selectionChanged();
@@ -121,6 +150,16 @@ QUndoStack& SceneDocument::undoStack() {
 
 const CompiledScene& SceneDocument::compiled() const {
   return parts_->compiled;
+}
+
+const CompiledScene& SceneDocument::compileNow() {
+  releaseHandles();
+  if (parts_->isToCompile) parts_->compile();
+  return parts_->compiled;
+}
+
+const DeviceDescription& SceneDocument::device() const {
+  return parts_->device;
 }
 
 const Diagnostics& SceneDocument::diagnostics() const {

@@ -6,6 +6,7 @@
 #include <QUndoStack>
 #include <memory>
 
+#include "device/DeviceDescription.h"
 #include "scenegraph/SceneCompiler.h"
 #include "scenegraph/SceneFile.h"
 
@@ -41,7 +42,11 @@ class SceneDocument : public QObject {
 
   /// Of the last compilation; its scene is the last valid one, which stays in force while there are errors.
   const CompiledScene& compiled() const;
-  /// Of opening and compiling, together.
+  /// The same, of the graph as it is now, with the edits of this turn of the event loop.
+  const CompiledScene& compileNow();
+  /// The device that the scene names; where there is none such, the one before, or the built-in one.
+  const DeviceDescription& device() const;
+  /// Of opening, compiling and judging, together.
   const Diagnostics& diagnostics() const;
 
   /// The selected shape, from the root to the shape node; null: none.
@@ -57,6 +62,8 @@ class SceneDocument : public QObject {
   void sceneChanged();
   /// A new compilation is there; at most once per turn of the event loop, after sceneChanged.
   void sceneCompiled();
+  /// A long compilation is going on, within a call: the event loop does not turn.
+  void compiling(int shapes, int triangles);
   /// Compiling or opening has found something new; after sceneCompiled.
   void diagnosticsChanged();
   void selectionChanged();

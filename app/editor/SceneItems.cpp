@@ -1,7 +1,13 @@
 #include "app/editor/SceneItems.h"
 
+#include <Inventor/VRMLnodes/SoVRMLGroup.h>
+#include <Inventor/VRMLnodes/SoVRMLLOD.h>
+#include <Inventor/VRMLnodes/SoVRMLShape.h>
+#include <Inventor/VRMLnodes/SoVRMLSwitch.h>
 #include <Inventor/fields/SoSFString.h>
 #include <Inventor/nodes/SoBaseColor.h>
+#include <Inventor/nodes/SoLOD.h>
+#include <Inventor/nodes/SoLevelOfDetail.h>
 #include <Inventor/nodes/SoMaterial.h>
 #include <Inventor/nodes/SoShape.h>
 #include <Inventor/nodes/SoSwitch.h>
@@ -39,6 +45,7 @@ SceneItem::Kind kindOfShape(const SoNode* property) {
   const QString word = keyword(*property);
   if (word == "HapticSurface") return SceneItem::Kind::wall;
   if (word == "HapticViscousZone") return SceneItem::Kind::dampingZone;
+  if (word == "HapticRubberBand") return SceneItem::Kind::rubberBand;
   return word == "HapticNone" ? SceneItem::Kind::scenery : SceneItem::Kind::springZone;
 }
 
@@ -50,6 +57,8 @@ QString stemOf(const SceneItem& item) {
       return "damping zone";
     case SceneItem::Kind::springZone:
       return "spring zone";
+    case SceneItem::Kind::rubberBand:
+      return "rubber band";
     case SceneItem::Kind::tool:
       return "ball";
     case SceneItem::Kind::device:
@@ -58,6 +67,22 @@ QString stemOf(const SceneItem& item) {
       break;
   }
   return keyword(*item.node).toLower();
+}
+
+/// The only child that is visited, or what SoSwitch says of none and all.
+int chosenChild(const SoGroup& group) {
+  if (const auto* choice = dynamic_cast<const SoSwitch*>(&group)) return choice->whichChild.getValue();
+  if (const auto* choice = dynamic_cast<const SoVRMLSwitch*>(&group)) return choice->whichChoice.getValue();
+  for (const SoType levels :
+       {SoLOD::getClassTypeId(), SoLevelOfDetail::getClassTypeId(), SoVRMLLOD::getClassTypeId()}) {
+    if (group.isOfType(levels)) return 0;  // the finest, which is felt
+  }
+  return SO_SWITCH_ALL;
+}
+
+/// Whether what is said in the group ends with it.
+bool keepsToItself(const SoGroup& group) {
+  return group.isOfType(SoSeparator::getClassTypeId()) || group.isOfType(SoVRMLGroup::getClassTypeId());
 }
 
 class Walk {
@@ -74,7 +99,7 @@ class Walk {
     } else if (node->isOfType(SoBaseColor::getClassTypeId())) {
       const auto& colours = static_cast<SoBaseColor*>(node)->rgb;
       if (colours.getNum() > 0) state.colour = toColour(colours[0]);
-    } else if (node->isOfType(SoShape::getClassTypeId())) {
+    } else if (node->isOfType(SoShape::getClassTypeId()) || node->isOfType(SoVRMLShape::getClassTypeId())) {
       add(node, kindOfShape(state.property), state);
     } else if (node->isOfType(SoGroup::getClassTypeId())) {
       visitChildren(static_cast<SoGroup*>(node), state);
@@ -89,13 +114,11 @@ class Walk {
     State inner = state;
     int first = 0;
     int end = group->getNumChildren();
-    if (group->isOfType(SoSwitch::getClassTypeId())) {
-      const int which = static_cast<SoSwitch*>(group)->whichChild.getValue();
-      if (which == SO_SWITCH_NONE) return;
-      if (which >= 0) {
-        first = std::min(which, end);
-        end = std::min(which + 1, end);
-      }
+    const int which = chosenChild(*group);
+    if (which == SO_SWITCH_NONE) return;
+    if (which >= 0) {
+      first = std::min(which, end);
+      end = std::min(which + 1, end);
     }
     names_.push_back(group->getName().getString());
     for (int i = first; i < end; ++i) {
@@ -104,7 +127,7 @@ class Walk {
       place_.pop_back();
     }
     names_.pop_back();
-    if (!group->isOfType(SoSeparator::getClassTypeId())) state = inner;
+    if (!keepsToItself(*group)) state = inner;
   }
 
   void add(const SoNode* node, SceneItem::Kind kind, const State& state) {

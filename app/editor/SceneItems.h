@@ -16,7 +16,7 @@ using ScenePlace = std::vector<int>;
 
 /// Something of the scene that a user can select.
 struct SceneItem {
-  enum class Kind { wall, dampingZone, springZone, tool, device, scenery };
+  enum class Kind { wall, dampingZone, springZone, rubberBand, tool, device, scenery };
 
   Kind kind = Kind::scenery;
   ScenePlace place;

@@ -4,6 +4,7 @@
 #include <Inventor/SoPickedPoint.h>
 #include <Inventor/actions/SoGetBoundingBoxAction.h>
 #include <Inventor/actions/SoRayPickAction.h>
+#include <Inventor/actions/SoSearchAction.h>
 #include <Inventor/draggers/SoDragger.h>
 #include <Inventor/sensors/SoNodeSensor.h>
 
@@ -200,6 +201,15 @@ void SceneView::viewAll() {
   const Vector3 radius = Vector3::Constant(parts_->overlay.ballRadius());
   parts_->camera.fit({bounds.getBoundingBox(), SbBox3f(toCoin(ball - radius), toCoin(ball + radius))},
                      static_cast<double>(parts_->size().width()) / parts_->size().height());
+}
+
+void SceneView::viewAsMeant() {
+  SoSearchAction search;
+  search.setType(SoCamera::getClassTypeId());
+  search.apply(parts_->scene);
+  if (!search.getPath()) return viewAll();
+  parts_->camera.lookLike(*static_cast<SoCamera*>(static_cast<SoFullPath*>(search.getPath())->getTail()));
+  parts_->changeFromAbove(false);
 }
 
 void SceneView::redraw() {

@@ -37,6 +37,8 @@ class SceneView : public QWidget {
   void viewFreely();
   bool isFromAbove() const;
   void viewAll();
+  /// As the scene's own first camera looks; all of the scene where it has none.
+  void viewAsMeant();
   /// Draws again soon; cheap to call often.
   void redraw();
   /// What the view shows now.

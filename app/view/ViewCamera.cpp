@@ -15,9 +15,9 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kFieldOfView = 36 * kDegree;  // vertical
-constexpr double kNearest = 0.02;              // of the place looked at [m]
-constexpr double kFarthest = 50;
-constexpr double kHighest = 2;  // the orthographic camera stands at least so high above the place [m]
+constexpr double kNearest = 1e-3;              // of the place looked at [m]
+constexpr double kFarthest = 1e6;              // some scenes are in millimetres
+constexpr double kHighest = 2;                 // the orthographic camera stands at least so high above the place [m]
 constexpr double kMargin = 1.06;
 const double kTan = std::tan(kFieldOfView / 2);
 
@@ -116,6 +116,29 @@ void ViewCamera::fit(const std::vector<SbBox3f>& boxes, double aspectRatio) {
   SbVec3f target;
   orientation().multVec(toCoin({middle.x(), middle.y(), depth}), target);
   target_ = toEigen(target);
+  update();
+}
+
+void ViewCamera::lookLike(const SoCamera& camera) {
+  const auto turned = [&](const SbVec3f& axis) {
+    SbVec3f result;
+    camera.orientation.getValue().multVec(axis, result);
+    return toEigen(result);
+  };
+  const Vector3 forward = turned({0, 0, -1});
+  const Vector3 up = turned({0, 1, 0});
+  double distance = camera.focalDistance.getValue();
+  const auto* orthographic = dynamic_cast<const SoOrthographicCamera*>(&camera);
+  if (orthographic) distance = orthographic->height.getValue() / (2 * kTan);
+  const Vector3 target = toEigen(camera.position.getValue()) + camera.focalDistance.getValue() * forward;
+  if (!target.allFinite() || !up.allFinite() || !(distance > 0) || !std::isfinite(distance)) return;
+  fromAbove_ = false;
+  target_ = target;
+  distance_ = std::clamp(distance, kNearest, kFarthest);
+  elevation_ = std::clamp(std::asin(std::clamp(-forward.z(), -1.0, 1.0)), -89 * kDegree, 90 * kDegree);
+  // Straight down the upper side of the picture tells the heading.
+  const Vector3& ahead = std::abs(forward.z()) > 0.999 ? up : forward;
+  heading_ = std::atan2(-ahead.x(), ahead.y());
   update();
 }
 

@@ -41,6 +41,10 @@ class ViewCamera {
   /// As near as all boxes are wholly seen.
   void fit(const std::vector<SbBox3f>& boxes, double aspectRatio);
 
+  /// As this camera looks, as far as that goes: upright, and around the place on which it focuses. Leaves the view from
+  /// above. Nothing happens where its numbers make no view.
+  void lookLike(const SoCamera& camera);
+
   ViewRay ray(const QPointF& pixel, const QSize& picture) const;
   /// Where a ray through the pixel meets the plane through the place looked at, facing the camera.
   Vector3 onFocalPlane(const QPointF& pixel, const QSize& picture) const;

@@ -41,6 +41,13 @@ void MainWindow::connectParts() {
     showDocument(true);
   });
   connect(p.document, &SceneDocument::sceneChanged, p.view, &SceneView::redraw);
+  connect(p.document, &SceneDocument::sceneChanged, this, &MainWindow::showEditing);
+  connect(p.document, &SceneDocument::compiling, this, [this](int shapes, int triangles) {
+    constexpr int kWhile = 1500;  // [ms]
+    parts_->status->showMessage(tr("Preparing the scene: %L1 shapes, %L2 triangles").arg(shapes).arg(triangles),
+                                kWhile);
+    parts_->status->repaint();  // the event loop does not turn meanwhile
+  });
   connect(p.document, &SceneDocument::modifiedChanged, this, &MainWindow::updateTitle);
   connect(p.document, &SceneDocument::sceneCompiled, this, [this] {
     showAtRest();
@@ -96,9 +103,18 @@ void MainWindow::enterEditing() {
   p.select->setChecked(true);
   p.editor->setEnabled(true);
   p.status->clearSession();
-  p.status->showState(tr("Editing"), tr("click a wall to change it, or start a session to feel the scene"));
+  showEditing();
   showDocument(false);
   updateTitle();
+}
+
+void MainWindow::showEditing() {
+  Parts& p = *parts_;
+  if (p.replay || p.session->isRunning()) return;
+  p.status->showState(tr("Editing"),
+                      p.editor->makeSolid()->isEnabled()
+                          ? tr("nothing in this scene is felt yet: Edit > Make solid (M) gives it a ball and a surface")
+                          : tr("click a wall to change it, or start a session to feel the scene"));
 }
 
 void MainWindow::enterSession() {
@@ -146,7 +162,7 @@ void MainWindow::showDocument(bool viewAll) {
   if (p.replay) return;
   p.view->setScene(p.document->root(), false);
   showAtRest();
-  if (viewAll) p.view->viewAll();
+  if (viewAll) p.view->viewAsMeant();
   p.view->redraw();
   updateTitle();
 }

@@ -31,6 +31,8 @@ class MainWindow : public QMainWindow {
   void enterEditing();
   void enterSession();
   void enterReplay(const QString& logPath);
+  /// Says in the status bar what can be done with the scene.
+  void showEditing();
   void showDocument(bool viewAll);
   void showAtRest();
   void showDexterityAtRest();

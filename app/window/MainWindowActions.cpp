@@ -61,7 +61,10 @@ void MainWindow::buildActions() {
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
   edit->addActions({p.editor->undo(), p.editor->redo()});
   edit->addSeparator();
-  edit->addActions({p.editor->addWall(), p.editor->addDampingZone(), p.editor->addSpringZone(), p.editor->remove()});
+  edit->addActions({p.editor->addWall(), p.editor->addDampingZone(), p.editor->addSpringZone(),
+                    p.editor->addRubberBand(), p.editor->remove()});
+  edit->addSeparator();
+  edit->addAction(p.editor->makeSolid());
   edit->addSeparator();
   edit->addAction(p.editor->snapToGrid());
   QMenu* session = menuBar()->addMenu(tr("&Session"));
@@ -87,9 +90,10 @@ void MainWindow::buildToolBar() {
   p.editor->addWall()->setIconText(tr("Wall"));
   p.editor->addDampingZone()->setIconText(tr("Damping zone"));
   p.editor->addSpringZone()->setIconText(tr("Spring zone"));
+  p.editor->addRubberBand()->setIconText(tr("Rubber band"));
   // What users know by its picture goes without words, so that all fits into 1280 pixels.
   for (QAction* known : {p.open, p.save, p.editor->undo(), p.editor->redo(), p.editor->remove(), p.editor->snapToGrid(),
-                         p.fromAbove, p.showAll, p.showArm}) {
+                         p.editor->addRubberBand(), p.editor->makeSolid(), p.fromAbove, p.showAll, p.showArm}) {
     known->setPriority(QAction::LowPriority);
   }
 
@@ -104,8 +108,8 @@ void MainWindow::buildToolBar() {
   bar->addSeparator();
   bar->addActions({p.editor->undo(), p.editor->redo()});
   bar->addSeparator();
-  bar->addActions({p.editor->addWall(), p.editor->addDampingZone(), p.editor->addSpringZone(), p.editor->remove(),
-                   p.editor->snapToGrid()});
+  bar->addActions({p.editor->addWall(), p.editor->addDampingZone(), p.editor->addSpringZone(),
+                   p.editor->addRubberBand(), p.editor->makeSolid(), p.editor->remove(), p.editor->snapToGrid()});
   bar->addSeparator();
   bar->addActions({p.fromAbove, p.showAll, p.showArm});
 }

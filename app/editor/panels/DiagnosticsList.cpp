@@ -1,5 +1,7 @@
 #include "app/editor/panels/DiagnosticsList.h"
 
+#include <Inventor/VRMLnodes/SoVRMLShape.h>
+
 #include <QStyle>
 #include <algorithm>
 
@@ -28,6 +30,12 @@ bool concerns(SoSeparator* root, const SceneItem& item, const SoNode* source) {
   return false;
 }
 
+/// Whether the node is what the item shows, or how it feels. A VRML shape keeps its geometry in a field.
+bool isAbout(const SceneItem& item, const SoNode* source) {
+  const auto* vrml = dynamic_cast<const SoVRMLShape*>(item.node);
+  return item.node == source || item.property == source || (vrml && vrml->geometry.getValue() == source);
+}
+
 }  // namespace
 
 DiagnosticsList::DiagnosticsList(SceneDocument& document, QWidget* parent) : QListWidget(parent), document_(document) {
@@ -36,6 +44,7 @@ DiagnosticsList::DiagnosticsList(SceneDocument& document, QWidget* parent) : QLi
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   connect(&document, &SceneDocument::diagnosticsChanged, this, &DiagnosticsList::refresh);
   connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) { selectSource(row(item)); });
+  connect(this, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { selectSource(row(item)); });
   refresh();
 }
 
@@ -61,8 +70,7 @@ void DiagnosticsList::selectSource(int row) {
   if (!source) return;
   document_.releaseHandles();
   const std::vector<SceneItem> items = listScene(document_.root());
-  auto found = std::find_if(items.begin(), items.end(),
-                            [&](const SceneItem& item) { return item.node == source || item.property == source; });
+  auto found = std::find_if(items.begin(), items.end(), [&](const SceneItem& item) { return isAbout(item, source); });
   if (found == items.end()) {
     found = std::find_if(items.begin(), items.end(),
                          [&](const SceneItem& item) { return concerns(document_.root(), item, source); });

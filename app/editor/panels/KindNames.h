@@ -15,6 +15,8 @@ inline QString kindName(SceneItem::Kind kind) {
       return "Damping zone";
     case SceneItem::Kind::springZone:
       return "Spring zone";
+    case SceneItem::Kind::rubberBand:
+      return "Rubber band";
     case SceneItem::Kind::tool:
       return "Tool";
     case SceneItem::Kind::device:
@@ -27,8 +29,8 @@ inline QString kindName(SceneItem::Kind kind) {
 
 /// All of a kind, as a heading: "Walls".
 inline QString groupName(SceneItem::Kind kind) {
-  const bool isCounted =
-      kind == SceneItem::Kind::wall || kind == SceneItem::Kind::dampingZone || kind == SceneItem::Kind::springZone;
+  const bool isCounted = kind == SceneItem::Kind::wall || kind == SceneItem::Kind::dampingZone ||
+                         kind == SceneItem::Kind::springZone || kind == SceneItem::Kind::rubberBand;
   return isCounted ? kindName(kind) + "s" : kindName(kind);
 }
 

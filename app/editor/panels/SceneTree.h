@@ -23,7 +23,7 @@ class SceneTree : public QTreeWidget {
   SceneDocument& document_;
   std::vector<SceneItem> items_;
   std::vector<QTreeWidgetItem*> rows_;        ///< one for each of items_
-  std::array<QTreeWidgetItem*, 6> groups_{};  ///< one for each kind
+  std::array<QTreeWidgetItem*, 7> groups_{};  ///< one for each kind
   bool isShowing_ = false;
 };
 

@@ -175,5 +175,44 @@ Separator { HapticTool { } Translation { translation 3 2 1 } })");
   EXPECT_EQ(scene.document.undoStack().count(), 1);
 }
 
+TEST(AddShape, MakesAWallAsStiffAsItsThicknessAsksFor) {
+  EditedScene scene("#Inventor V2.1 ascii\nHapticTool { home 0.3 0 0 }\n");
+  addShape(scene.document, SceneItem::Kind::wall);
+  addShape(scene.document, SceneItem::Kind::rubberBand);
+  letEventsRun();
+  const HapticScene& compiled = *scene.document.compiled().scene;
+  ASSERT_EQ(compiled.walls.size(), 1u);
+  EXPECT_EQ(compiled.walls[0].surface.stiffness, 17000) << "170 N / 1 cm";
+  ASSERT_EQ(compiled.zones.size(), 1u);
+  EXPECT_EQ(compiled.zones[0].kind, Zone::Kind::rubberBand);
+  EXPECT_GT(compiled.zones[0].restLength, 0);
+  EXPECT_TRUE(scene.document.diagnostics().empty()) << toText(scene.document.diagnostics().front());
+}
+
+const char kModel[] = "#Inventor V2.1 ascii\nSeparator { Cube { } Translation { translation 3 0 0 } Sphere { } }\n";
+
+TEST(MakeSolid, IsOneStepThatCanBeUndone) {
+  EditedScene scene(kModel);
+  EXPECT_TRUE(isScenery(scene.items()));
+  EXPECT_FALSE(scene.document.compiled().scene) << "there is no tool";
+  const std::string before = scene.document.text();
+  makeSolid(scene.document);
+  letEventsRun();
+  EXPECT_EQ(scene.document.undoStack().count(), 1);
+  EXPECT_FALSE(isScenery(scene.items()));
+  ASSERT_TRUE(scene.document.compiled().scene);
+  EXPECT_EQ(scene.document.compiled().scene->walls.size(), 2u);
+  EXPECT_TRUE(scene.document.diagnostics().empty()) << toText(scene.document.diagnostics().front());
+  scene.document.undoStack().undo();
+  letEventsRun();
+  EXPECT_EQ(scene.document.text(), before);
+}
+
+TEST(MakeSolid, IsNotForScenesThatSayWhatIsFelt) {
+  EXPECT_FALSE(isScenery(EditedScene(kTwoWalls).items()));
+  EXPECT_FALSE(isScenery(EditedScene("#Inventor V2.1 ascii\nHapticTool { }\n").items())) << "nothing is there";
+  EXPECT_FALSE(isScenery(EditedScene("#Inventor V2.1 ascii\nHapticNone { } Cube { }\n").items()));
+}
+
 }  // namespace
 }  // namespace haptiv

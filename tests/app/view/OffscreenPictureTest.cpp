@@ -30,6 +30,18 @@ TEST(OffscreenPicture, ShowsTheWallsColourInTheMiddleAndTheBackgroundAtTheCorner
   }
 }
 
+TEST(OffscreenPicture, DoesNotLookThroughTheScenesOwnCameras) {
+  const QImage without = drawOffscreen(redWall().get(), 64, 64);
+  for (const char* camera : {"PerspectiveCamera { position 90 90 90 }", "OrthographicCamera { height 0.01 }",
+                             "VRMLViewpoint { position 90 90 90 }"}) {
+    std::string text = kRedWall;
+    text.insert(text.find("Separator {") + 11, std::string(" ") + camera + " ");
+    const SceneFile file = readSceneText(text, "with a camera");
+    ASSERT_TRUE(file.root);
+    EXPECT_EQ(drawOffscreen(file.root.get(), 64, 64), without) << camera;
+  }
+}
+
 TEST(OffscreenPicture, NeedsNoDisplay) {
   ASSERT_EQ(std::getenv("DISPLAY"), nullptr);
   EXPECT_FALSE(drawOffscreen(redWall().get(), 64, 64).isNull());

@@ -173,5 +173,22 @@ TEST(HandGrip, DoesNotReachFarFromTheBall) {
   EXPECT_FALSE(grip.reaches(at + QPointF(edge + 13, 0), kPicture, ball, radius));
 }
 
+TEST(ViewCamera, LooksLikeACameraOfTheScene) {
+  ViewCamera camera;
+  const NodeRef<SoPerspectiveCamera> own(new SoPerspectiveCamera);
+  own->position.setValue(1, -2, 1.5);
+  own->pointAt(SbVec3f(0.3F, 0.1F, 0), SbVec3f(0, 0, 1));
+  own->focalDistance = (own->position.getValue() - SbVec3f(0.3F, 0.1F, 0)).length();
+  camera.setFromAbove(true);
+  camera.lookLike(*own.get());
+  EXPECT_FALSE(camera.isFromAbove());
+  EXPECT_LT(apart(pixelOf(camera, 0.3, 0.1, 0), QPointF(640, 360)), kPixel);
+  EXPECT_NEAR(camera.ray(QPointF(640, 360), kPicture).direction.dot(Vector3(-0.7, 2.1, -1.5).normalized()), 1, 1e-6);
+  own->orientation.setValue(SbRotation::identity());  // straight down, y up in the picture
+  camera.lookLike(*own.get());
+  EXPECT_LT(pixelOf(camera, 1, -1.9, 0).y(), pixelOf(camera, 1, -2, 0).y());
+  EXPECT_NEAR(pixelOf(camera, 1, -1.9, 0).x(), pixelOf(camera, 1, -2, 0).x(), kPixel);
+}
+
 }  // namespace
 }  // namespace haptiv
