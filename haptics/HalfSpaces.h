@@ -43,36 +43,48 @@ struct HalfSpaces {
   static constexpr int kSteps = 20, kHalvings = 10;
   using Set = std::uint32_t;  ///< of planes, a bit each
 
-  /// The planes that push at y, with what they are short of; in `energy` d times the function to be minimised.
+  /// The planes that push at y, by depth_; in `energy` 2 d times the function to be minimised.
   struct Pushing {
     Set planes = 0;
     double energy = 0;
   };
-  Pushing pushingAt(const Vector3& y) const noexcept;
+  Pushing pushAt(const Vector3& y) noexcept;
   /// Where exactly these planes push.
   Vector3 balance(Set planes) const noexcept;
-  double shortOf(std::size_t i, const Vector3& y) const noexcept { return missing_[i] - normal[i].dot(y); }
+  Vector3 balanceOfTwo(std::size_t i, std::size_t j) const noexcept;
 
   std::array<double, Capacity> missing_;  ///< r
+  std::array<double, Capacity> depth_;    ///< r - n . y where positive, else 0
 };
 
 template <int Capacity>
-typename HalfSpaces<Capacity>::Pushing HalfSpaces<Capacity>::pushingAt(const Vector3& y) const noexcept {
+typename HalfSpaces<Capacity>::Pushing HalfSpaces<Capacity>::pushAt(const Vector3& y) noexcept {
   Pushing pushing;
   pushing.energy = kGive * y.squaredNorm();
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    const double depth = shortOf(i, y);
-    if (!(depth > 0)) continue;
-    pushing.planes |= Set{1} << i;
-    pushing.energy += depth * depth;
+    const double depth = missing_[i] - normal[i].dot(y);
+    depth_[i] = depth > 0 ? depth : 0;
+    pushing.planes |= static_cast<Set>(depth > 0) << i;
+    pushing.energy += depth_[i] * depth_[i];
   }
   return pushing;
 }
 
 template <int Capacity>
+Vector3 HalfSpaces<Capacity>::balanceOfTwo(std::size_t i, std::size_t j) const noexcept {
+  const double cosine = normal[i].dot(normal[j]);
+  const double determinant = (1 + kGive) * (1 + kGive) - cosine * cosine;
+  const double first = ((1 + kGive) * missing_[i] - cosine * missing_[j]) / determinant;
+  const double second = ((1 + kGive) * missing_[j] - cosine * missing_[i]) / determinant;
+  return first * normal[i] + second * normal[j];
+}
+
+template <int Capacity>
 Vector3 HalfSpaces<Capacity>::balance(Set planes) const noexcept {
   const auto first = static_cast<std::size_t>(std::countr_zero(planes));
-  if (std::has_single_bit(planes)) return missing_[first] / (1 + kGive) * normal[first];
+  const Set others = planes & (planes - 1);
+  if (others == 0) return missing_[first] / (1 + kGive) * normal[first];
+  if (std::has_single_bit(others)) return balanceOfTwo(first, static_cast<std::size_t>(std::countr_zero(others)));
   Matrix3 sum = kGive * Matrix3::Identity();
   Vector3 pull = Vector3::Zero();
   for (Set left = planes; left != 0; left &= left - 1) {
@@ -87,13 +99,13 @@ template <int Capacity>
 Vector3 HalfSpaces<Capacity>::nearest(const Vector3& p) noexcept {
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) missing_[i] = offset[i] - normal[i].dot(p);
   Vector3 y = Vector3::Zero();
-  Pushing now = pushingAt(y);
+  Pushing now = pushAt(y);
   for (int step = 0; step < kSteps && now.planes != 0; ++step) {
     Vector3 next = balance(now.planes);
-    Pushing then = pushingAt(next);
+    Pushing then = pushAt(next);
     for (int half = 0; half < kHalvings && then.planes != now.planes && then.energy > now.energy; ++half) {
       next = 0.5 * (y + next);
-      then = pushingAt(next);
+      then = pushAt(next);
     }
     const bool isSettled = then.planes == now.planes;
     y = next;
@@ -102,8 +114,7 @@ Vector3 HalfSpaces<Capacity>::nearest(const Vector3& p) noexcept {
   }
   double squares = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    const double depth = shortOf(i, y);
-    share[i] = depth > 0 ? depth / kGive : 0;
+    share[i] = depth_[i] / kGive;
     squares += share[i] * share[i];
   }
   const double way = y.squaredNorm();
