@@ -10,7 +10,6 @@
 #include "app/dexterity/RateBars.h"
 #include "app/dexterity/StrategySelector.h"
 #include "device/kinematics/ArmKinematics.h"
-#include "device/redundancy/Normalisation.h"
 
 namespace haptiv {
 namespace {
@@ -34,7 +33,8 @@ struct DexterityPanel::Parts {
 
   ArmKinematics arm{DeviceDescription{}};
   std::string armText;  // of its description
-  CriterionPair best;   // the normalisation of the index
+  double bestTranslation = 0;
+  double bestRotation = 0;
 };
 
 DexterityPanel::DexterityPanel(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>()) {
@@ -69,8 +69,6 @@ void DexterityPanel::setArm(const DeviceDescription& description) {
   if (!description.text.empty() && description.text == p.armText) return;
   p.armText = description.text;
   p.arm = ArmKinematics(description);
-  // Of V/kappa of all joints alike, whatever is chosen: numbers can be compared between strategies.
-  p.best = normalisation(description, {Strategy::dir, Solution::full}, JointVector::Ones());
   p.rates->setJoints(p.arm.jointCount(), description.drives.rateLimit);
   p.selector->setPartitionedPossible(p.arm.vishard10() != nullptr);
 }
@@ -89,8 +87,8 @@ void DexterityPanel::show(const JointVector& q, const JointVector& rates) {
   p.rates->show(rates);
   if (!q.allFinite()) return;
   const Jacobian J = p.arm.jacobian(q);
-  p.translation->show(translationalDexterity(J), p.best.translation);
-  p.rotation->show(rotationalDexterity(J), p.best.rotation);
+  p.translation->show(translationalDexterity(J), p.bestTranslation);
+  p.rotation->show(rotationalDexterity(J), p.bestRotation);
 }
 
 EllipsoidBoxes& DexterityPanel::ellipsoids() {

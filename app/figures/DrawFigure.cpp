@@ -15,6 +15,7 @@ namespace {
 constexpr int kMargin = 16, kGap = 24;                  // [pixels]
 constexpr int kTitleLetters = 20, kLegendLetters = 17;  // [pixels]
 constexpr int kSample = 48;                             // of a line in the legend [pixels]
+constexpr double kWidest = 1.4;                         // a panel of equal scales, over its height
 const QColor kInk(0x24, 0x29, 0x2e);
 
 /// From `top` down; returns where it ends.
@@ -75,11 +76,15 @@ QImage drawFigure(const Figure& figure, int width, int height) {
   QwtPlotRenderer renderer;
   renderer.setDiscardFlag(QwtPlotRenderer::DiscardBackground);
   for (int i = 0; i < static_cast<int>(figure.panels.size()); ++i) {
-    const QRectF cell(kMargin + (i % columns) * (cellWidth + kGap), top + (i / columns) * (cellHeight + kGap),
-                      cellWidth, cellHeight);
+    QRectF cell(kMargin + (i % columns) * (cellWidth + kGap), top + (i / columns) * (cellHeight + kGap), cellWidth,
+                cellHeight);
     const FigurePanel& panel = figure.panels[static_cast<std::size_t>(i)];
     const auto plot = makePanelPlot(panel);
-    if (panel.equalScales) equaliseScales(*plot, cell);
+    if (panel.equalScales) {
+      const double spare = std::max(0., cell.width() - kWidest * cell.height()) / 2;
+      cell.adjust(spare, 0, -spare, 0);
+      equaliseScales(*plot, cell);
+    }
     renderer.render(plot.get(), &painter, cell);
   }
   return image;

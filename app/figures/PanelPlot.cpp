@@ -1,12 +1,9 @@
 #include "app/figures/PanelPlot.h"
 
-#include <qwt_color_map.h>
-#include <qwt_matrix_raster_data.h>
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_grid.h>
 #include <qwt_plot_layout.h>
 #include <qwt_plot_marker.h>
-#include <qwt_plot_spectrogram.h>
 #include <qwt_scale_draw.h>
 #include <qwt_scale_engine.h>
 #include <qwt_scale_widget.h>
@@ -14,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/figures/ColourMap.h"
 #include "app/figures/CurveItem.h"
 
 namespace haptiv {
@@ -84,6 +82,7 @@ void setUpAxis(QwtPlot& plot, int id, const FigureAxis& axis, const Span& span) 
   widget->setPalette(palette);
   widget->setMargin(2);
   widget->setSpacing(4);
+  widget->setMinBorderDist(kTickLetters, kTickLetters);  // so that the canvases of a row are as high as each other
   plot.setAxisMaxMinor(id, 0);
   plot.setAxisMaxMajor(id, 7);
 
@@ -98,47 +97,6 @@ void setUpAxis(QwtPlot& plot, int id, const FigureAxis& axis, const Span& span) 
   for (const auto& [at, text] : axis.ticks) majors << at;
   plot.setAxisScaleDraw(id, new NamedTicks(axis));
   plot.setAxisScaleDiv(id, QwtScaleDiv(low, high, {}, {}, majors));
-}
-
-/// Dark blue over green to yellow, lighter and lighter: it reads in grey too. NaN is transparent.
-QwtColorMap* makeColours() {
-  auto* colours = new QwtLinearColorMap(QColor(0x44, 0x01, 0x54), QColor(0xfd, 0xe7, 0x25));
-  colours->addColorStop(0.13, QColor(0x47, 0x2d, 0x7b));
-  colours->addColorStop(0.25, QColor(0x3b, 0x52, 0x8b));
-  colours->addColorStop(0.38, QColor(0x2c, 0x72, 0x8e));
-  colours->addColorStop(0.5, QColor(0x21, 0x91, 0x8c));
-  colours->addColorStop(0.63, QColor(0x28, 0xae, 0x80));
-  colours->addColorStop(0.75, QColor(0x5e, 0xc9, 0x62));
-  colours->addColorStop(0.88, QColor(0xad, 0xdc, 0x30));
-  return colours;
-}
-
-QwtInterval rangeOf(const FigureMap& map) {
-  if (map.range) return {map.range->first, map.range->second};
-  Span span;
-  for (const double value : map.values) span.add(value);
-  return span.any() ? QwtInterval(span.low, span.high) : QwtInterval(0, 1);
-}
-
-void addMap(QwtPlot& plot, const FigureMap& map) {
-  const QwtInterval range = rangeOf(map);
-  auto* data = new QwtMatrixRasterData;
-  data->setValueMatrix(QVector<double>(map.values.begin(), map.values.end()), map.columns);
-  data->setInterval(Qt::XAxis, {map.x.first, map.x.second});
-  data->setInterval(Qt::YAxis, {map.y.first, map.y.second});
-  data->setInterval(Qt::ZAxis, range);
-  auto* item = new QwtPlotSpectrogram;
-  item->setRenderThreadCount(1);
-  item->setData(data);
-  item->setColorMap(makeColours());
-  item->attach(&plot);
-
-  plot.enableAxis(QwtPlot::yRight);
-  setUpAxis(plot, QwtPlot::yRight, {map.label, std::pair(range.minValue(), range.maxValue()), {}}, {});
-  auto* bar = plot.axisWidget(QwtPlot::yRight);
-  bar->setColorBarEnabled(true);
-  bar->setColorBarWidth(18);
-  bar->setColorMap(range, makeColours());
 }
 
 void addNote(QwtPlot& plot, const FigureNote& note) {
@@ -184,7 +142,9 @@ std::unique_ptr<QwtPlot> makePanelPlot(const FigurePanel& panel) {
   setUpAxis(*plot, QwtPlot::xBottom, panel.x, spanOf(panel, true));
   setUpAxis(*plot, QwtPlot::yLeft, panel.y, spanOf(panel, false));
   if (panel.map) {
-    addMap(*plot, *panel.map);
+    plot->enableAxis(QwtPlot::yRight);
+    setUpAxis(*plot, QwtPlot::yRight, {panel.map->label, colourRange(*panel.map), {}}, {});
+    addColours(*plot, *panel.map);
   } else {
     auto* grid = new QwtPlotGrid;
     grid->setPen(kGridColour, 1);

@@ -96,3 +96,7 @@ TEST(Layers, TheEditorKnowsNothingOfSessionsAndReplay) {
 TEST(Layers, FiguresKnowNothingOfWhatTheyShow) {
   expectNoInclude("app/figures", "^(device|haptics|scenegraph)/|^app/(?!figures/)");
 }
+TEST(Layers, TheExperimentsNeedNoQt) {
+  expectNoInclude("app/experiments", kQt);
+  expectNoInclude("app/experiments", "^app/(?!experiments/|figures/Figure.h)");
+}
