@@ -7,11 +7,8 @@
 #include "app/commands/CheckCommand.h"
 #include "app/commands/Command.h"
 #include "app/commands/ExitCode.h"
-<<<<<<< HEAD
 #include "app/commands/GenerateCommand.h"
-=======
 #include "app/commands/ExperimentCommand.h"
->>>>>>> 6da401d (haptiv experiment: the paper's numerical experiments, its figures and a verdict on each claim)
 #include "app/commands/InfoCommand.h"
 #include "app/commands/KinematicsCommand.h"
 #include "app/commands/ReplayCommand.h"
@@ -51,11 +48,8 @@ int dispatch(int argc, char** argv) {
   addRunCommand(program);
   addCheckCommand(program);
   addReplayCommand(program, argc, argv);
-<<<<<<< HEAD
   addGenerateCommand(program);
-=======
   addExperimentCommand(program);
->>>>>>> 6da401d (haptiv experiment: the paper's numerical experiments, its figures and a verdict on each claim)
   addInfoCommand(program);
   addKinematicsCommand(program);
   addBenchCommand(program);
