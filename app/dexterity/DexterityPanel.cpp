@@ -10,6 +10,7 @@
 #include "app/dexterity/RateBars.h"
 #include "app/dexterity/StrategySelector.h"
 #include "device/kinematics/ArmKinematics.h"
+#include "device/redundancy/Normalisation.h"
 
 namespace haptiv {
 namespace {
@@ -33,8 +34,7 @@ struct DexterityPanel::Parts {
 
   ArmKinematics arm{DeviceDescription{}};
   std::string armText;  // of its description
-  double bestTranslation = 0;
-  double bestRotation = 0;
+  CriterionPair best;   // the normalisation of the index
 };
 
 DexterityPanel::DexterityPanel(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>()) {
@@ -69,6 +69,8 @@ void DexterityPanel::setArm(const DeviceDescription& description) {
   if (!description.text.empty() && description.text == p.armText) return;
   p.armText = description.text;
   p.arm = ArmKinematics(description);
+  // Of V/kappa of all joints alike, whatever is chosen: numbers can be compared between strategies.
+  p.best = normalisation(description, {Strategy::dir, Solution::full}, JointVector::Ones());
   p.rates->setJoints(p.arm.jointCount(), description.drives.rateLimit);
   p.selector->setPartitionedPossible(p.arm.vishard10() != nullptr);
 }
@@ -87,8 +89,8 @@ void DexterityPanel::show(const JointVector& q, const JointVector& rates) {
   p.rates->show(rates);
   if (!q.allFinite()) return;
   const Jacobian J = p.arm.jacobian(q);
-  p.translation->show(translationalDexterity(J), p.bestTranslation);
-  p.rotation->show(rotationalDexterity(J), p.bestRotation);
+  p.translation->show(translationalDexterity(J), p.best.translation);
+  p.rotation->show(rotationalDexterity(J), p.best.rotation);
 }
 
 EllipsoidBoxes& DexterityPanel::ellipsoids() {

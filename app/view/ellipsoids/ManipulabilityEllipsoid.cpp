@@ -15,7 +15,7 @@
 namespace haptiv {
 namespace {
 
-constexpr float kTransparency = 0.6F;
+constexpr float kTransparency = 0.45F;
 constexpr double kThinnest = 0.02;    // of the largest half axis: a flat ellipsoid is still drawn
 constexpr double kSmallest = 0.0005;  // [m]
 
