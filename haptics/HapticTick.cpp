@@ -99,8 +99,8 @@ void HapticTick::move(const HapticScene& scene, const Measured& measured, TickSt
   const ArmPose arm = arm_.evaluate(state.desiredAngles);
   Vector6 twist = driftCorrection(wanted, arm.X_BT, description_.control.driftGain);
   twist.head<3>() += device.rotation.transpose() * velocity / device.scale;
-  const JointVector rates = resolution_.rates(scene.resolution.value_or(description_.redundancy.choice),
-                                              state.desiredAngles, arm.J_BT, twist, period_);
+  const ResolutionChoice choice = scene.resolution.value_or(description_.redundancy.choice);
+  const JointVector rates = state.resolution.rates(resolution_, choice, state.desiredAngles, arm.J_BT, twist, period_);
   const double slowed = slowDownFactor(rates, rateLimit);
 
   const JointVector error = state.desiredAngles - measured.angles;

@@ -9,6 +9,7 @@
 #include "haptics/Admittance.h"
 #include "haptics/HapticScene.h"
 #include "haptics/IfThenRenderer.h"
+#include "haptics/ResolutionBlend.h"
 #include "haptics/SceneFade.h"
 #include "haptics/TickRecord.h"
 
@@ -22,6 +23,7 @@ struct TickState {
   JointVector desiredAngles = JointVector::Zero();
   ContactSet contacts;
   SceneFade fade;
+  ResolutionBlend resolution;
   std::uint32_t faults = kNoFault;
 };
 
@@ -29,7 +31,7 @@ struct TickState {
 /// bits, whether the device is simulated, on USB, or a log.
 ///
 /// The path: joint angles and wrench -> contacts and zones at the admittance's position (29) -> admittance ->
-/// redundancy resolution (3) with drift correction -> joint limiter -> joint controller -> safety.
+/// redundancy resolution (3)-(5), (24), (25) with drift correction -> joint limiter -> joint controller -> safety.
 /// The virtual mass is inside the control loop (fig. 9): walls act on its motion, which the arm then follows.
 ///
 /// All of a record belongs to the instant of its reading; desiredAngles and desiredPosition too: they are what the

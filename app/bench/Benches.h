@@ -10,6 +10,8 @@ void benchCollision(BenchRun& run);
 void benchCompile(BenchRun& run);
 /// A whole tick of the simulated arm among 10k walls.
 void benchTick(BenchRun& run);
+/// Joint rates by every strategy and solution, the Jacobian included; the peer is Orocos KDL, where it is built in.
+void benchIk(BenchRun& run);
 /// Ticks into a session log on the disk that holds temporary files.
 void benchLog(BenchRun& run);
 
@@ -20,10 +22,7 @@ struct Bench {
 
 /// All there are, in the order in which they run.
 inline constexpr Bench kBenches[] = {
-    {"tick", benchTick},
-    {"collision", benchCollision},
-    {"compile", benchCompile},
-    {"log", benchLog},
+    {"tick", benchTick}, {"collision", benchCollision}, {"ik", benchIk}, {"compile", benchCompile}, {"log", benchLog},
 };
 
 }  // namespace haptiv

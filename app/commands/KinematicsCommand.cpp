@@ -4,12 +4,12 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "app/commands/ExitCode.h"
 #include "app/commands/Report.h"
 #include "device/DeviceDescription.h"
 #include "device/kinematics/ArmKinematics.h"
+#include "device/redundancy/Criterion.h"
 
 namespace haptiv {
 namespace {
@@ -56,11 +56,9 @@ Report::Numbers singularValues(const Eigen::Matrix<double, Rows, kJointCount>& J
   return {sigma.data(), sigma.data() + sigma.size()};
 }
 
-/// m = V / kappa of a 3x10 block, with V = pi^(3/2) / Gamma(1 + 3/2) s1 s2 s3 = 4/3 pi s1 s2 s3 and kappa = s1 / s3,
-/// all rate weights one                                                       [paper, eqs. (10)-(12), (14)]
-/// Written without a division, so that it is zero and no NaN where all three vanish.
+/// m = V / kappa, all rate weights one                                          [paper, eq. (14)]
 double dexterity(const Report::Numbers& sigma) {
-  return 4.0 / 3.0 * std::numbers::pi * sigma[1] * sigma[2] * sigma[2];
+  return directionalManipulability(Vector3(sigma[0], sigma[1], sigma[2]));
 }
 
 int describePose(const KinematicsOptions& options) {

@@ -56,6 +56,7 @@ TEST_F(NoAllocation, HappensInAnyTick) {
     const std::size_t before = allocationsOfThisThread();
     for (int i = 0; i < 200; ++i) {
       scene.version = static_cast<std::uint32_t>(i / 50);
+      scene.resolution = ResolutionChoice{static_cast<Strategy>(i / 20 % 4), static_cast<Solution>(i / 100 % 2)};
       const DeviceReading reading = readingOf(description, description.homeAngles, {1, 2, 3});
       contacts = std::max(contacts, tick(scene, reading, state).contacts);
     }
