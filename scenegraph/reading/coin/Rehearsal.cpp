@@ -33,12 +33,14 @@ class TellingInput final : public SoInput {
     for (const std::size_t to = std::min(getNumBytesRead(), bytes_.size()); at_ < to; ++at_) {
       if (bytes_[at_] == '\n') ++line_;
     }
-    tellProgress("reads " + std::string(name.getString(), std::min(name.getLength(), 100)), line_);
+    if (name.getLength() > 0) last_ = std::string(name.getString(), std::min(name.getLength(), 100));
+    tellProgress("reads on after the word \"" + last_ + "\"", line_);
     return isRead;
   }
 
  private:
   const std::string& bytes_;
+  std::string last_;
   std::size_t at_ = 0;
   int line_ = 1;
 };
