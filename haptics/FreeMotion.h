@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptics/IfThenRenderer.h"
+#include "haptics/contact/ContactSet.h"
 
 namespace haptiv {
 

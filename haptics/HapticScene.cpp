@@ -38,11 +38,25 @@ ShapeIndex indexOf(const std::vector<Felt>& shapes) {
   return index;
 }
 
+MeshIndex meshesOf(const std::vector<Wall>& walls) {
+  MeshIndex index;
+  std::vector<Bounds> bounds;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const Shape& shape = walls[i].shape;
+    if (shape.kind != Shape::Kind::mesh || !shape.mesh) continue;
+    bounds.push_back(boundsOf(shape));
+    index.wall.push_back(static_cast<std::uint32_t>(i));
+  }
+  index.tree = BoundingTree(bounds);
+  return index;
+}
+
 }  // namespace
 
 void computeBounds(HapticScene& scene) {
   scene.wallIndex = indexOf(scene.walls);
   scene.zoneIndex = indexOf(scene.zones);
+  scene.meshIndex = meshesOf(scene.walls);
 }
 
 }  // namespace haptiv

@@ -23,7 +23,7 @@ using ShapeId = std::uint32_t;
 ///   cylinder  axis and half height = axes.col(1), radius = |axes.col(0)|; orthogonal columns, 0 and 2 of equal length
 ///   cone      as the cylinder, base at -axes.col(1), apex at +axes.col(1)
 /// (the local axes of Open Inventor's Cube, Sphere, Cylinder and Cone)
-///   mesh      triangles, in W; centre and axes are those of the box around them
+///   mesh      triangles, in W; centre and axes are those of the box around them. A closed one is solid
 struct Shape {
   enum class Kind : std::uint8_t { box, sphere, cylinder, cone, mesh };
   Kind kind = Kind::box;
@@ -88,6 +88,7 @@ struct HapticScene {
   std::vector<Zone> zones;
   ShapeIndex wallIndex;  ///< derived by computeBounds
   ShapeIndex zoneIndex;  ///< derived by computeBounds
+  MeshIndex meshIndex;   ///< derived by computeBounds
 };
 
 /// Makes the indices by which the servo finds what is near. Whoever builds a scene calls this last; where it was

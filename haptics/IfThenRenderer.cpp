@@ -1,139 +1,131 @@
 #include "haptics/IfThenRenderer.h"
 
 #include <algorithm>
+#include <limits>
 
-#include "haptics/HalfSpaces.h"
-#include "haptics/NearShapes.h"
+#include "haptics/contact/FollowEdit.h"
+#include "haptics/contact/Friction.h"
+#include "haptics/contact/Hysteresis.h"
+#include "haptics/contact/Proxy.h"
+#include "haptics/contact/WallsAround.h"
 
 namespace haptiv {
 namespace {
 
-constexpr int kMax = ContactSet::kMaxContacts;
-using Planes = HalfSpaces<kMax>;
-
-const Wall* findWall(const HapticScene& scene, const Contact& contact) noexcept {
-  const auto hint = static_cast<std::size_t>(contact.wall);
-  if (hint < scene.walls.size() && scene.walls[hint].id == contact.id) return &scene.walls[hint];
-  const std::size_t found = findShape(scene.walls, scene.wallIndex, contact.id);
-  return found < scene.walls.size() ? &scene.walls[found] : nullptr;
+const Wall& wallOf(const HapticScene& scene, const Contact& contact) noexcept {
+  return scene.walls[static_cast<std::size_t>(contact.wall)];
 }
 
-/// Where the walls of the last tick's contacts are now: an edit may have moved or removed them.
-/// A wall that jumped by more than the ball's size has let go of it.
-void followEdit(const HapticScene& scene, const ToolMotion& tool, ContactSet& contacts) noexcept {
-  int kept = 0;
-  for (int i = 0; i < contacts.count; ++i) {
-    Contact contact = contacts.contact[static_cast<std::size_t>(i)];
-    const Wall* wall = findWall(scene, contact);
-    if (wall == nullptr) continue;
-    const SurfacePoint was = surfaceOfFace(wall->shape, contacts.surfacePosition, contact.face);
-    const double jump = tool.radius - was.distance;
-    if (!(std::abs(jump) <= 2 * tool.radius)) continue;
-    contact.normal = was.normal;
-    contact.offset = was.normal.dot(contacts.surfacePosition) + jump;
-    contacts.contact[static_cast<std::size_t>(kept++)] = contact;
+/// The exact walls of the tick before; triangles are met anew.
+void addRemembered(const HapticScene& scene, const ContactSet& before, ProxyPlanes& planes) noexcept {
+  for (const Contact& contact : before) {
+    if (wallOf(scene, contact).shape.kind != Shape::Kind::mesh) planes.add(contact.normal, contact.offset);
   }
-  contacts.count = kept;
 }
 
-/// The place next to the ball to which the walls of the last tick let it come.
-Vector3 rememberedPlace(const Vector3& position, const ContactSet& contacts) noexcept {
-  Planes planes;
-  for (int i = 0; i < contacts.count; ++i) {
-    const Contact& contact = contacts.contact[static_cast<std::size_t>(i)];
-    planes.add(contact.normal, contact.offset);
-  }
-  return planes.nearest(position);
-}
-
-/// A wall near the ball, measured from the remembered place.
-struct NearWall {
-  std::int32_t wall;
-  int face;
-  double distance;  ///< [m]
-  Vector3 normal;
-};
-
-/// The nearest kMaxContacts of them, by rising number: the same ones in whatever order they are found.
-struct NearWalls {
-  std::array<NearWall, kMax> wall;
-  std::size_t count = 0;
-
-  void take(const NearWall& found) noexcept {
-    if (count == kMax && !makeRoom(found)) return;
-    std::size_t at = count++;
-    for (; at > 0 && wall[at - 1].wall > found.wall; --at) wall[at] = wall[at - 1];
-    wall[at] = found;
-  }
-
- private:
-  /// Drops the farthest; of equally far ones, the last.
-  bool makeRoom(const NearWall& found) noexcept {
-    std::size_t farthest = 0;
-    for (std::size_t i = 1; i < count; ++i) {
-      if (wall[i].distance >= wall[farthest].distance) farthest = i;
-    }
-    const double most = wall[farthest].distance;
-    if (found.distance > most || (found.distance == most && found.wall > wall[farthest].wall)) return false;
-    --count;
-    for (std::size_t i = farthest; i < count; ++i) wall[i] = wall[i + 1];
-    return true;
-  }
-};
-
-void findNear(const HapticScene& scene, const Vector3& place, double reach, NearWalls& near) noexcept {
-  forEachNear(scene.walls, scene.wallIndex, place, reach, [&](std::size_t wall, const SurfacePoint& surface) {
-    near.take({static_cast<std::int32_t>(wall), surface.face, surface.distance, surface.normal});
-  });
-}
-
-/// The walls around `place` as half spaces for the ball's centre. Those that hold the ball back become its contacts,
-/// each with its share of the depth; but none is felt deeper than the ball is in it: in a gap narrower than the ball
-/// the shares have no meaning.
-void touch(const HapticScene& scene, const NearWalls& near, const Vector3& place, const ToolMotion& tool,
-           ContactSet& contacts) noexcept {
-  Planes planes;
-  for (std::size_t i = 0; i < near.count; ++i) {
-    const NearWall& each = near.wall[i];
-    planes.add(each.normal, each.normal.dot(place) + tool.radius - each.distance);
-  }
-  contacts.surfacePosition = planes.nearest(tool.position);
+/// What holds the proxy back becomes the contacts, each with its share of the depth; but none is felt deeper than the
+/// ball is in it: in a gap narrower than the ball the shares have no meaning.
+void keepHolding(const HapticScene& scene, const Proxy& proxy, const NearSurfaces& walls, const Vector3& goal,
+                 ContactSet& contacts) noexcept {
   contacts.count = 0;
-  for (std::size_t i = 0; i < near.count; ++i) {
-    if (!(planes.share[i] > 0)) continue;
-    const NearWall& each = near.wall[i];
+  for (std::size_t i = 0; i < static_cast<std::size_t>(proxy.planes.count); ++i) {
+    if (!(proxy.planes.share[i] > 0) || contacts.count == ContactSet::kMaxContacts) continue;
+    const NearSurface& each = i < walls.count ? walls.surface[i] : proxy.touching.surface[i - walls.count];
     Contact& contact = contacts.contact[static_cast<std::size_t>(contacts.count++)];
-    contact.id = scene.walls[static_cast<std::size_t>(each.wall)].id;
     contact.wall = each.wall;
+    contact.id = wallOf(scene, contact).id;
     contact.face = each.face;
     contact.normal = each.normal;
-    contact.offset = planes.offset[i];
-    contact.depth = std::clamp(contact.offset - contact.normal.dot(tool.position), 0.0, planes.share[i]);
+    contact.offset = proxy.planes.offset[i];
+    contact.depth = std::clamp(contact.offset - contact.normal.dot(goal), 0.0, proxy.planes.share[i]);
   }
 }
 
-/// Eqs. (26), (27) along one normal.
-Vector3 wallLaw(const SurfaceProperties& surface, const Contact& contact, const Vector3& velocity) noexcept {
-  const double inwards = std::max(0.0, -velocity.dot(contact.normal));
-  return (surface.stiffness * contact.depth + surface.damping * inwards) * contact.normal;
+/// Brings the proxy as near to the goal as the walls let it: first held by the exact walls of the tick before, to find
+/// out which are around, then by these.
+void touchWalls(const HapticScene& scene, const Vector3& goal, double radius, double way,
+                ContactSet& contacts) noexcept {
+  Proxy proxy;
+  proxy.position = contacts.surfacePosition;
+  proxy.way = way;
+  const Vector3 lastGoal = contacts.toolPosition + contacts.frictionOffset;
+  const double certain = 1.001 * (radius + (goal - proxy.position).norm());
+  const double likely = (1 + 1.0 / 128) * radius + 1.1 * (goal - lastGoal).norm();
+  const MeshNeighbourhood meshes(scene, proxy.position, std::min(likely, certain), certain);
+  ProxyPlanes planes;
+  addRemembered(scene, contacts, planes);
+  slide(scene, meshes, planes, goal, radius, proxy);
+  NearSurfaces walls;
+  findWallsAround(scene, proxy.position, radius, walls);
+  if (planes.count > 0 || walls.count > 0) {
+    planes.count = 0;
+    addPlanes(planes, walls, proxy.position, radius);
+    slide(scene, meshes, planes, goal, radius, proxy);
+  }
+  keepHolding(scene, proxy, walls, goal, contacts);
+  contacts.surfacePosition = proxy.position;
+}
+
+/// Where the scene is new or was edited, the proxy comes to rest in it at once: SceneFade lets the force in slowly.
+void settle(const HapticScene& scene, const ToolMotion& tool, ContactSet& contacts) noexcept {
+  constexpr int kMostRounds = 32;
+  constexpr double kAtRest = 1e-6;  // of the radius
+  if (!contacts.started) contacts.surfacePosition = contacts.toolPosition = tool.position;
+  contacts.started = true;
+  followEdit(scene, tool.radius, contacts);
+  for (int round = 0; round < kMostRounds; ++round) {
+    const Vector3 before = contacts.surfacePosition;
+    touchWalls(scene, tool.position + contacts.frictionOffset, tool.radius, std::numeric_limits<double>::max(),
+               contacts);
+    if (!((contacts.surfacePosition - before).norm() > kAtRest * tool.radius)) break;
+  }
+}
+
+/// How far the proxy may go in a tick while it is held: with the ball, on a curved surface farther, and a little more.
+double slipWay(const ToolMotion& tool, const ContactSet& contacts) noexcept {
+  return 2 * (tool.position - contacts.toolPosition).norm() + tool.radius / 16;
+}
+
+/// How fast the ball moves into each contact: where several see the same motion, each has its share of it.
+ProxyPlanes inwardSpeeds(const ContactSet& contacts, const Vector3& velocity) noexcept {
+  ProxyPlanes planes;
+  for (const Contact& contact : contacts) planes.add(contact.normal, 0);
+  planes.nearest(velocity);
+  return planes;
+}
+
+/// Eqs. (26), (27) along each normal.
+Vector3 wallForces(const HapticScene& scene, const Vector3& velocity, ContactSet& contacts) noexcept {
+  const ProxyPlanes inwards = inwardSpeeds(contacts, velocity);
+  Vector3 sum = Vector3::Zero();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
+    Contact& contact = contacts.contact[i];
+    const SurfaceProperties& surface = wallOf(scene, contact).surface;
+    contact.force = (surface.stiffness * contact.elasticDepth() + surface.damping * inwards.share[i]) * contact.normal;
+    sum += contact.force;
+  }
+  return sum;
 }
 
 }  // namespace
 
 Vector3 renderWalls(const HapticScene& scene, const ToolMotion& tool, ContactSet& contacts) noexcept {
-  if (contacts.sceneVersion != scene.version) followEdit(scene, tool, contacts);
-  contacts.sceneVersion = scene.version;
-  const Vector3 place = rememberedPlace(tool.position, contacts);
-  NearWalls near;
-  findNear(scene, place, 2 * tool.radius, near);
-  touch(scene, near, place, tool, contacts);
-  Vector3 sum = Vector3::Zero();
-  for (int i = 0; i < contacts.count; ++i) {
-    Contact& contact = contacts.contact[static_cast<std::size_t>(i)];
-    contact.force = wallLaw(scene.walls[static_cast<std::size_t>(contact.wall)].surface, contact, tool.velocity);
-    sum += contact.force;
+  if (!contacts.started || contacts.sceneVersion != scene.version) settle(scene, tool, contacts);
+  const double way = slipWay(tool, contacts);
+  const WallSlacks slacks = slacksOf(scene, contacts);
+  Friction friction = holdProxy(scene, contacts, tool.position);
+  const bool isPulled = !friction.offset.isZero(0);
+  touchWalls(scene, tool.position + friction.offset, tool.radius, way, contacts);
+  if (isPulled && contacts.count == 0) {  // it has lost its hold
+    friction = {};
+    touchWalls(scene, tool.position, tool.radius, way, contacts);
   }
-  return sum;
+  contacts.sliding = friction.sliding;
+  contacts.toolPosition = tool.position;
+  contacts.frictionOffset = friction.offset;
+  takeUpSlack(scene, slacks, contacts);
+  const Vector3 sum = wallForces(scene, tool.velocity, contacts);
+  return isPulled ? Vector3(sum + frictionForce(scene, friction, contacts)) : sum;
 }
 
 }  // namespace haptiv

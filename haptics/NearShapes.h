@@ -10,12 +10,13 @@
 namespace haptiv {
 
 /// Calls `visit(index, nearestSurface)` for every wall or zone whose surface is nearer to p_W than `reach`, or that
-/// has p_W inside. In no particular order, though always in the same one. Realtime-safe: yes, where computeBounds was
-/// called or not.
-template <typename Felt, typename Visit>
+/// has p_W inside; of those that are no boxes, only where isMeant(shape). In no particular order, though always in the
+/// same one. Realtime-safe: yes, where computeBounds was called or not.
+template <typename Felt, typename IsMeant, typename Visit>
 void forEachNear(const std::vector<Felt>& shapes, const ShapeIndex& index, const Vector3& p_W, double reach,
-                 Visit&& visit) noexcept {
+                 IsMeant&& isMeant, Visit&& visit) noexcept {
   const auto measure = [&](std::size_t shape) {
+    if (shapes[shape].shape.kind != Shape::Kind::box && !isMeant(shapes[shape].shape)) return;
     const SurfacePoint surface = nearestSurface(shapes[shape].shape, p_W);
     if (surface.distance < reach) visit(shape, surface);
   };
@@ -31,6 +32,13 @@ void forEachNear(const std::vector<Felt>& shapes, const ShapeIndex& index, const
     const SurfacePoint surface = nearestOnStraightBox(entry.box, point);
     if (surface.distance < reach) visit(std::size_t{entry.shape}, surface);
   });
+}
+
+template <typename Felt, typename Visit>
+void forEachNear(const std::vector<Felt>& shapes, const ShapeIndex& index, const Vector3& p_W, double reach,
+                 Visit&& visit) noexcept {
+  forEachNear(
+      shapes, index, p_W, reach, [](const Shape&) { return true; }, visit);
 }
 
 /// The number of the wall or zone with this id; shapes.size() where there is none. Realtime-safe: yes; it searches

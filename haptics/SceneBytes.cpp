@@ -1,157 +1,55 @@
 #include "haptics/SceneBytes.h"
 
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <stdexcept>
 #include <string>
+
+#include "haptics/bytes/MeshBytes.h"
 
 namespace haptiv {
 namespace {
 
 constexpr std::string_view kMagic = "HAPTSCN1";
-constexpr std::uint32_t kFormat = 2;  // 2 adds the choice of a resolution; 1 is still read
+constexpr std::uint32_t kFormat = 3;  // 2 added the choice of a resolution; 3 meshes and rubber bands
 constexpr std::uint8_t kAsDescribed = 255;
 constexpr std::size_t kShapeSize = 1 + 12 * 8;
 constexpr std::size_t kWallSize = 4 + kShapeSize + 5 * 8;
 constexpr std::size_t kZoneSize = 4 + 1 + kShapeSize + 6 * 8;
+constexpr std::uint32_t kFirstWithMeshes = 3;
+constexpr std::uint32_t kNoMesh = 0xffffffffU;
 
-class Writer {
- public:
-  void u8(std::uint8_t value) { bytes_.push_back(std::byte{value}); }
-  void u32(std::uint32_t value) { little(value, 4); }
-  void f64(double value) { little(std::bit_cast<std::uint64_t>(value), 8); }
-  template <typename Derived>
-  void matrix(const Eigen::MatrixBase<Derived>& values) {
-    for (Eigen::Index column = 0; column < values.cols(); ++column) {
-      for (Eigen::Index row = 0; row < values.rows(); ++row) f64(values(row, column));
-    }
-  }
-  void text(std::string_view value) {
-    for (const char c : value) u8(static_cast<std::uint8_t>(c));
-  }
-  std::vector<std::byte> take() { return std::move(bytes_); }
-
- private:
-  void little(std::uint64_t value, int size) {
-    for (int i = 0; i < size; ++i) u8(static_cast<std::uint8_t>(value >> (8 * i)));
-  }
-  std::vector<std::byte> bytes_;
-};
-
-class Reader {
- public:
-  explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw std::runtime_error("scene bytes, at byte " + std::to_string(at_) + ": " + what);
-  }
-  std::uint8_t u8() { return static_cast<std::uint8_t>(little(1)); }
-  std::uint32_t u32() { return static_cast<std::uint32_t>(little(4)); }
-  double f64() {
-    const double value = std::bit_cast<double>(little(8));
-    if (!std::isfinite(value)) fail("a number that is not finite");
-    return value;
-  }
-  double positive(const char* name) {
-    const double value = f64();
-    if (!(value > 0)) fail(std::string(name) + " must be greater than zero");
-    return value;
-  }
-  template <typename Derived>
-  void matrix(Eigen::MatrixBase<Derived>& values) {
-    for (Eigen::Index column = 0; column < values.cols(); ++column) {
-      for (Eigen::Index row = 0; row < values.rows(); ++row) values(row, column) = f64();
-    }
-  }
-  /// A number of things of `size` bytes each, all of which must still be there.
-  std::size_t count(std::size_t size) {
-    const std::size_t wanted = u32();
-    if (wanted > left() / size) fail("cut off: " + std::to_string(wanted) + " entries announced, too few bytes left");
-    return wanted;
-  }
-  std::string text(std::size_t size) {
-    require(size);
-    std::string value(size, '\0');
-    for (char& c : value) c = static_cast<char>(u8());
-    return value;
-  }
-  std::size_t left() const { return bytes_.size() - at_; }
-
- private:
-  void require(std::size_t size) const {
-    if (size > left()) fail("cut off");
-  }
-  std::uint64_t little(int size) {
-    require(static_cast<std::size_t>(size));
-    std::uint64_t value = 0;
-    for (int i = 0; i < size; ++i) value |= std::to_integer<std::uint64_t>(bytes_[at_++]) << (8 * i);
-    return value;
-  }
-  std::span<const std::byte> bytes_;
-  std::size_t at_ = 0;
-};
-
-void write(Writer& out, const Shape& shape) {
-  out.u8(static_cast<std::uint8_t>(shape.kind));
-  out.matrix(shape.centre);
-  out.matrix(shape.axes);
-}
-
-Shape readShape(Reader& in) {
-  Shape shape;
-  const std::uint8_t kind = in.u8();
-  if (kind > static_cast<std::uint8_t>(Shape::Kind::cone)) in.fail("unknown kind of shape");
-  shape.kind = static_cast<Shape::Kind>(kind);
-  in.matrix(shape.centre);
-  in.matrix(shape.axes);
-  return shape;
-}
-
-void write(Writer& out, const Wall& wall) {
-  out.u32(wall.id);
-  write(out, wall.shape);
+void write(ByteWriter& out, const Wall& wall) {
   const SurfaceProperties& s = wall.surface;
   for (const double value : {s.stiffness, s.damping, s.hysteresis, s.staticFriction, s.dynamicFriction}) out.f64(value);
 }
 
-Wall readWall(Reader& in) {
-  Wall wall;
-  wall.id = in.u32();
-  wall.shape = readShape(in);
+void read(ByteReader& in, Wall& wall) {
   SurfaceProperties& s = wall.surface;
   for (double* value : {&s.stiffness, &s.damping, &s.hysteresis, &s.staticFriction, &s.dynamicFriction}) {
     *value = in.f64();
   }
-  return wall;
 }
 
-void write(Writer& out, const Zone& zone) {
-  out.u32(zone.id);
-  out.u8(static_cast<std::uint8_t>(zone.kind));
-  write(out, zone.shape);
+void write(ByteWriter& out, const Zone& zone) {
   for (const double value : {zone.damping, zone.stiffness, zone.restLength}) out.f64(value);
   out.matrix(zone.anchor);
 }
 
-Zone readZone(Reader& in) {
-  Zone zone;
-  zone.id = in.u32();
-  const std::uint8_t kind = in.u8();
-  if (kind > static_cast<std::uint8_t>(Zone::Kind::spring)) in.fail("unknown kind of zone");
-  zone.kind = static_cast<Zone::Kind>(kind);
-  zone.shape = readShape(in);
+void read(ByteReader& in, Zone& zone) {
   for (double* value : {&zone.damping, &zone.stiffness, &zone.restLength}) *value = in.f64();
   in.matrix(zone.anchor);
-  return zone;
 }
 
-void write(Writer& out, const std::optional<ResolutionChoice>& choice) {
+Zone::Kind readZoneKind(ByteReader& in) {
+  const std::uint8_t kind = in.u8();
+  if (kind > static_cast<std::uint8_t>(Zone::Kind::rubberBand)) in.fail("unknown kind of zone");
+  return static_cast<Zone::Kind>(kind);
+}
+
+void write(ByteWriter& out, const std::optional<ResolutionChoice>& choice) {
   out.u8(choice ? static_cast<std::uint8_t>(choice->strategy) : kAsDescribed);
   out.u8(choice ? static_cast<std::uint8_t>(choice->solution) : kAsDescribed);
 }
 
-std::optional<ResolutionChoice> readResolution(Reader& in) {
+std::optional<ResolutionChoice> readResolution(ByteReader& in) {
   const std::uint8_t strategy = in.u8();
   const std::uint8_t solution = in.u8();
   if (strategy == kAsDescribed && solution == kAsDescribed) return {};
@@ -160,7 +58,7 @@ std::optional<ResolutionChoice> readResolution(Reader& in) {
   return ResolutionChoice{static_cast<Strategy>(strategy), static_cast<Solution>(solution)};
 }
 
-void readHead(Reader& in, HapticScene& scene) {
+std::uint32_t readHead(ByteReader& in, HapticScene& scene) {
   if (in.left() < kMagic.size() || in.text(kMagic.size()) != kMagic) in.fail("this is no compiled scene");
   const std::uint32_t format = in.u32();
   if (format < 1 || format > kFormat) {
@@ -177,12 +75,58 @@ void readHead(Reader& in, HapticScene& scene) {
   scene.device.scale = in.positive("the device's scale");
   // Programs of format 1 knew the least-norm solution alone.
   scene.resolution = format == 1 ? ResolutionChoice{} : readResolution(in);
+  return format;
 }
 
-}  // namespace
+void readMeshes(ByteReader& in, std::vector<std::shared_ptr<const TriangleMesh>>& meshes) {
+  if (in.u32() != meshes.size()) in.fail("a scene that follows others, which are not there");
+  const std::size_t fresh = in.count(kMeshSize);
+  for (std::size_t i = 0; i < fresh; ++i) meshes.push_back(readMesh(in));
+}
 
-std::vector<std::byte> toBytes(const HapticScene& scene) {
-  Writer out;
+/// Reads shapes, whose meshes stand in the order in which shapes first name them: one scene has one form.
+class ShapeReader {
+ public:
+  ShapeReader(ByteReader& in, const std::vector<std::shared_ptr<const TriangleMesh>>& meshes, std::size_t known)
+      : in_(in), meshes_(meshes), named_(known) {}
+
+  Shape read() {
+    Shape shape;
+    const std::uint8_t kind = in_.u8();
+    if (kind > static_cast<std::uint8_t>(Shape::Kind::mesh)) in_.fail("unknown kind of shape");
+    shape.kind = static_cast<Shape::Kind>(kind);
+    in_.matrix(shape.centre);
+    in_.matrix(shape.axes);
+    if (shape.kind == Shape::Kind::mesh) shape.mesh = readMeshNumber();
+    return shape;
+  }
+  bool allNamed() const { return named_ == meshes_.size(); }
+
+ private:
+  std::shared_ptr<const TriangleMesh> readMeshNumber() {
+    const std::uint32_t number = in_.u32();
+    if (number == kNoMesh) return nullptr;
+    if (number == named_ && number < meshes_.size()) ++named_;
+    if (number >= named_) in_.fail("a mesh that is not there");
+    return meshes_[number];
+  }
+
+  ByteReader& in_;
+  const std::vector<std::shared_ptr<const TriangleMesh>>& meshes_;
+  std::size_t named_;
+};
+
+template <typename Visit>
+void forEachMesh(const HapticScene& scene, Visit&& visit) {
+  for (const Wall& wall : scene.walls) {
+    if (wall.shape.kind == Shape::Kind::mesh && wall.shape.mesh) visit(wall.shape.mesh);
+  }
+  for (const Zone& zone : scene.zones) {
+    if (zone.shape.kind == Shape::Kind::mesh && zone.shape.mesh) visit(zone.shape.mesh);
+  }
+}
+
+void writeHead(ByteWriter& out, const HapticScene& scene) {
   out.text(kMagic);
   out.u32(kFormat);
   out.u32(scene.version);
@@ -194,26 +138,77 @@ std::vector<std::byte> toBytes(const HapticScene& scene) {
   out.matrix(scene.device.rotation);
   out.f64(scene.device.scale);
   write(out, scene.resolution);
+}
+
+}  // namespace
+
+std::vector<std::byte> SceneEncoder::encode(const HapticScene& scene) {
+  std::erase_if(written_, [](const auto& entry) { return entry.second.mesh.expired(); });
+  ByteWriter out;
+  writeHead(out, scene);
+  out.u32(next_);
+  std::vector<const TriangleMesh*> fresh;
+  forEachMesh(scene, [&](const std::shared_ptr<const TriangleMesh>& mesh) {
+    if (!written_.try_emplace(mesh.get(), Written{mesh, next_}).second) return;
+    ++next_;
+    fresh.push_back(mesh.get());
+  });
+  out.u32(static_cast<std::uint32_t>(fresh.size()));
+  for (const TriangleMesh* mesh : fresh) write(out, *mesh);
+  const auto writeShape = [&](const Shape& shape) {
+    out.u8(static_cast<std::uint8_t>(shape.kind));
+    out.matrix(shape.centre);
+    out.matrix(shape.axes);
+    if (shape.kind == Shape::Kind::mesh) out.u32(shape.mesh ? written_.at(shape.mesh.get()).number : kNoMesh);
+  };
   out.u32(static_cast<std::uint32_t>(scene.walls.size()));
-  for (const Wall& wall : scene.walls) write(out, wall);
+  for (const Wall& wall : scene.walls) {
+    out.u32(wall.id);
+    writeShape(wall.shape);
+    write(out, wall);
+  }
   out.u32(static_cast<std::uint32_t>(scene.zones.size()));
-  for (const Zone& zone : scene.zones) write(out, zone);
+  for (const Zone& zone : scene.zones) {
+    out.u32(zone.id);
+    out.u8(static_cast<std::uint8_t>(zone.kind));
+    writeShape(zone.shape);
+    write(out, zone);
+  }
   return out.take();
 }
 
-HapticScene sceneFromBytes(std::span<const std::byte> bytes) {
-  Reader in(bytes);
+HapticScene SceneDecoder::decode(std::span<const std::byte> bytes) {
+  ByteReader in(bytes);
   HapticScene scene;
-  readHead(in, scene);
-  const std::size_t walls = in.count(kWallSize);
-  scene.walls.reserve(walls);
-  for (std::size_t i = 0; i < walls; ++i) scene.walls.push_back(readWall(in));
-  const std::size_t zones = in.count(kZoneSize);
-  scene.zones.reserve(zones);
-  for (std::size_t i = 0; i < zones; ++i) scene.zones.push_back(readZone(in));
+  const std::uint32_t format = readHead(in, scene);
+  const std::size_t known = meshes_.size();
+  if (format >= kFirstWithMeshes) readMeshes(in, meshes_);
+  ShapeReader shapes(in, meshes_, known);
+  scene.walls.resize(in.count(kWallSize));
+  for (Wall& wall : scene.walls) {
+    wall.id = in.u32();
+    wall.shape = shapes.read();
+    read(in, wall);
+  }
+  scene.zones.resize(in.count(kZoneSize));
+  for (Zone& zone : scene.zones) {
+    zone.id = in.u32();
+    zone.kind = readZoneKind(in);
+    zone.shape = shapes.read();
+    read(in, zone);
+  }
+  if (!shapes.allNamed()) in.fail("a mesh that no shape has");
   if (in.left() != 0) in.fail(std::to_string(in.left()) + " bytes too many");
   computeBounds(scene);
   return scene;
+}
+
+std::vector<std::byte> toBytes(const HapticScene& scene) {
+  return SceneEncoder().encode(scene);
+}
+
+HapticScene sceneFromBytes(std::span<const std::byte> bytes) {
+  return SceneDecoder().decode(bytes);
 }
 
 }  // namespace haptiv

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "haptics/meshes/MeshDistance.h"
 #include "haptics/shapes/BoxSurface.h"
 #include "haptics/shapes/ConeSurface.h"
 #include "haptics/shapes/CylinderSurface.h"
@@ -11,10 +12,12 @@
 namespace haptiv {
 namespace {
 
+const SurfacePoint kNowhere{std::numeric_limits<double>::max(), Vector3::UnitZ(), 0};
+
 /// Sizes beyond the square root of the largest double overflow: such a shape is felt nowhere.
 SurfacePoint finiteOrFar(const SurfacePoint& point) noexcept {
   if (std::isfinite(point.distance) && point.normal.allFinite()) return point;
-  return {std::numeric_limits<double>::max(), Vector3::UnitZ(), 0};
+  return kNowhere;
 }
 
 SurfacePoint nearestOf(const Shape& shape, const Vector3& p_W) noexcept {
@@ -25,7 +28,8 @@ SurfacePoint nearestOf(const Shape& shape, const Vector3& p_W) noexcept {
       return nearestOnCylinder(shape, p_W);
     case Shape::Kind::cone:
       return nearestOnCone(shape, p_W);
-    case Shape::Kind::mesh:  // as its box
+    case Shape::Kind::mesh:
+      return shape.mesh ? nearestOnMesh(*shape.mesh, p_W) : kNowhere;
     case Shape::Kind::box:
       break;
   }
@@ -40,7 +44,8 @@ SurfacePoint onFace(const Shape& shape, const Vector3& p_W, int face) noexcept {
       return onCylinderFace(shape, p_W, face);
     case Shape::Kind::cone:
       return onConeFace(shape, p_W, face);
-    case Shape::Kind::mesh:  // as its box
+    case Shape::Kind::mesh:
+      return shape.mesh ? onMeshFace(*shape.mesh, p_W, face) : kNowhere;
     case Shape::Kind::box:
       break;
   }
@@ -58,6 +63,7 @@ SurfacePoint surfaceOfFace(const Shape& shape, const Vector3& p_W, int face) noe
 }
 
 Bounds boundsOf(const Shape& shape) noexcept {
+  if (shape.kind == Shape::Kind::mesh && shape.mesh) return shape.mesh->bounds;
   Vector3 half = shape.axes.cwiseAbs().rowwise().sum();
   if (shape.kind == Shape::Kind::sphere) half.setConstant(shape.axes.col(0).norm());
   if (shape.kind == Shape::Kind::cylinder || shape.kind == Shape::Kind::cone) {

@@ -14,6 +14,8 @@ namespace haptiv {
 struct TriangleMesh {
   using Triangle = std::array<std::uint32_t, 3>;  ///< indices into `vertices`, counter-clockwise seen from outside
 
+  static constexpr double kFar = 1e100;  ///< beyond it nothing is felt: squares of lengths overflow [m]
+
   std::vector<Vector3> vertices;    ///< [m]; corners on one spot are one vertex
   std::vector<Triangle> triangles;  ///< neighbours in space are near each other here too
   bool closed = false;              ///< bounds a volume: every edge is passed as often one way as the other
@@ -26,9 +28,9 @@ struct TriangleMesh {
 /// A mesh of triangles as they come from a file.
 ///
 /// Corners nearer to each other than a millionth of the mesh's size, or than single precision tells apart, become one
-/// vertex. Triangles that have two corners on one spot, corners that are not finite, or indices beyond the vertices,
-/// are dropped; so are vertices that no triangle has. A closed mesh whose triangles face inwards is turned inside out.
-/// The same input gives the same mesh. O(n log n); null where no triangle is left.
+/// vertex. Triangles that have two corners on one spot, corners that are not finite or beyond kFar, or indices beyond
+/// the vertices, are dropped; so are vertices that no triangle has. A closed mesh whose triangles face inwards is
+/// turned inside out. The same input gives the same mesh. O(n log n); null where no triangle is left.
 std::shared_ptr<const TriangleMesh> makeTriangleMesh(const std::vector<Vector3>& vertices,
                                                      const std::vector<TriangleMesh::Triangle>& triangles);
 

@@ -19,6 +19,28 @@ Vector3 springForce(const Zone& zone, const ToolMotion& tool) noexcept {
   return zone.stiffness * (1 - zone.restLength / length) * toAnchor;
 }
 
+Vector3 rubberBandForce(const Zone& zone, const ToolMotion& tool) noexcept {
+  const bool isSlack = (zone.anchor - tool.position).norm() <= zone.restLength;
+  return isSlack ? Vector3(Vector3::Zero()) : springForce(zone, tool);
+}
+
+Vector3 zoneForce(const Zone& zone, const ToolMotion& tool) noexcept {
+  switch (zone.kind) {
+    case Zone::Kind::viscous:
+      return viscousForce(zone, tool);
+    case Zone::Kind::rubberBand:
+      return rubberBandForce(zone, tool);
+    case Zone::Kind::spring:
+      break;
+  }
+  return springForce(zone, tool);
+}
+
+/// An open mesh has no inside.
+bool hasInside(const Shape& shape) noexcept {
+  return shape.kind != Shape::Kind::mesh || (shape.mesh && shape.mesh->closed);
+}
+
 /// The part of the ball's diameter that is inside, 0 to 1.
 double immersion(double distance, double radius) noexcept {
   return std::clamp((radius - distance) / (2 * radius), 0.0, 1.0);
@@ -29,13 +51,11 @@ double immersion(double distance, double radius) noexcept {
 Vector3 renderZones(const HapticScene& scene, const ToolMotion& tool, int& inside) noexcept {
   Vector3 sum = Vector3::Zero();
   inside = 0;
-  forEachNear(
-      scene.zones, scene.zoneIndex, tool.position, tool.radius, [&](std::size_t index, const SurfacePoint& surface) {
-        const Zone& zone = scene.zones[index];
-        const Vector3 full = zone.kind == Zone::Kind::viscous ? viscousForce(zone, tool) : springForce(zone, tool);
-        sum += immersion(surface.distance, tool.radius) * full;
-        ++inside;
-      });
+  forEachNear(scene.zones, scene.zoneIndex, tool.position, tool.radius, hasInside,
+              [&](std::size_t index, const SurfacePoint& surface) {
+                sum += immersion(surface.distance, tool.radius) * zoneForce(scene.zones[index], tool);
+                ++inside;
+              });
   return sum;
 }
 

@@ -40,6 +40,10 @@ class BoundingTree {
   template <typename Visit>
   void forEachNear(const Vector3& p_W, double reach, Visit&& visit) const noexcept;
 
+  /// Calls visit(item) for the boxes that are no farther from p_W than `reach`.
+  template <typename Visit>
+  void forEachWithin(const Vector3& p_W, double reach, Visit&& visit) const noexcept;
+
   /// Calls visit(item) for the boxes that a ball of radius `reach` may touch on the straight way from one place to
   /// another: all that it touches, and a few that are near the way.
   template <typename Visit>
@@ -52,6 +56,7 @@ class BoundingTree {
   double nearest(const Vector3& p_W, double reach, Measure&& measure) const noexcept;
 
  private:
+  static constexpr float kRounding = 1 - 1e-5F;                 ///< of squared distances, with room to spare
   static constexpr std::size_t kStack = 3 * kMaxTreeDepth + 1;  ///< each level takes one place and leaves four
 
   template <typename Touching, typename Visit>
@@ -87,6 +92,15 @@ void BoundingTree::forEachNear(const Vector3& p_W, double reach, Visit&& visit) 
 }
 
 template <typename Visit>
+void BoundingTree::forEachWithin(const Vector3& p_W, double reach, Visit&& visit) const noexcept {
+  const FloatBox query = outwards(p_W, p_W, origin_);
+  const float most =
+      index_detail::roundedUp(std::min(reach * reach / kRounding, 0.5 * FloatBox::kFar * FloatBox::kFar));
+  const auto touching = [&](const BoxNode& node) { return node.within(query, most); };
+  walk(touching, visit);
+}
+
+template <typename Visit>
 void BoundingTree::forEachAlong(const Vector3& from_W, const Vector3& to_W, double reach,
                                 Visit&& visit) const noexcept {
   const Vector3 low = from_W.cwiseMin(to_W), high = from_W.cwiseMax(to_W);
@@ -110,7 +124,6 @@ double BoundingTree::nearest(const Vector3& p_W, double reach, Measure&& measure
     float squared;  ///< distance of the box [m^2]
     std::uint32_t child;
   };
-  constexpr float kRounding = 1 - 1e-5F;  // of the squares, with room to spare
   const FloatBox query = outwards(p_W, p_W, origin_);
   std::array<Place, kStack> waiting;  // farther ones below nearer ones, among the places of one node
   waiting[0] = {0, 0};

@@ -49,6 +49,26 @@ struct alignas(64) BoxNode {
 #endif
   }
 
+  /// One bit for each box whose distance from the point within `p`, squared, is `most` at most; true of boxes that are
+  /// farther by no more than single precision rounds.
+  unsigned within(const FloatBox& p, float most) const noexcept {
+#ifdef __SSE2__
+    __m128 sum = _mm_setzero_ps();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const __m128 below = _mm_sub_ps(_mm_load_ps(low[axis]), _mm_set1_ps(p.high[axis]));
+      const __m128 above = _mm_sub_ps(_mm_set1_ps(p.low[axis]), _mm_load_ps(high[axis]));
+      const __m128 gap = _mm_max_ps(_mm_max_ps(below, above), _mm_setzero_ps());
+      sum = _mm_add_ps(sum, _mm_mul_ps(gap, gap));
+    }
+    return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(sum, _mm_set1_ps(most))));
+#else
+    const std::array<float, 4> squared = squaredDistances(p);
+    unsigned bits = 0;
+    for (unsigned i = 0; i < 4; ++i) bits |= static_cast<unsigned>(squared[i] <= most) << i;
+    return bits;
+#endif
+  }
+
   /// Squares of the distances from the point within `p` to the boxes; none is larger than it truly is by more than
   /// single precision rounds.
   std::array<float, 4> squaredDistances(const FloatBox& p) const noexcept {

@@ -22,4 +22,10 @@ struct ShapeIndex {
   std::vector<std::uint32_t> byId;  ///< the shapes' numbers by rising ShapeId; of equal ones the first comes first
 };
 
+/// The walls that are meshes, once more: derived data, made by computeBounds.
+struct MeshIndex {
+  BoundingTree tree;                ///< of their bounds
+  std::vector<std::uint32_t> wall;  ///< item i is this wall
+};
+
 }  // namespace haptiv

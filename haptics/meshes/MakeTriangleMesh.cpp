@@ -12,14 +12,13 @@ namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
-/// Beyond it, squares and cubes of lengths overflow.
-constexpr double kFar = 1e100;
 constexpr double kOfSize = 1e-6;       ///< what is nearer than this part of the mesh is one spot
 constexpr double kOfNumbers = 2.4e-7;  ///< two steps of single precision, which files are written in
 
 std::vector<Triangle> soundOnes(const std::vector<Vector3>& vertices, const std::vector<Triangle>& triangles) {
   const auto isSound = [&](std::uint32_t corner) {
-    return corner < vertices.size() && vertices[corner].cwiseAbs().maxCoeff() < kFar && vertices[corner].allFinite();
+    return corner < vertices.size() && vertices[corner].cwiseAbs().maxCoeff() < TriangleMesh::kFar &&
+           vertices[corner].allFinite();
   };
   std::vector<Triangle> sound;
   sound.reserve(triangles.size());

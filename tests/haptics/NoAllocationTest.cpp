@@ -8,6 +8,7 @@
 #include "tests/haptics/MallocCounter.h"
 #include "tests/haptics/RandomShapes.h"
 #include "tests/haptics/ReadingOf.h"
+#include "tests/haptics/meshes/SampleMeshes.h"
 
 namespace haptiv {
 namespace {
@@ -31,7 +32,7 @@ TEST_F(NoAllocation, IsWhatTheCounterWouldSee) {
   EXPECT_EQ(allocationsOfThisThread() - before, 2u);
 }
 
-/// Walls of every kind, zones of both, more contacts than are felt, an edit, and a fault.
+/// Walls and zones of every kind, rough and with hysteresis, more contacts than are felt, an edit, and a fault.
 TEST_F(NoAllocation, HappensInAnyTick) {
   const DeviceDescription description = loadDeviceDescription("vishard10");
   const Vector3 home = Vishard10(description.links).forward(description.homeAngles).position;
@@ -42,9 +43,16 @@ TEST_F(NoAllocation, HappensInAnyTick) {
     wall.id = static_cast<ShapeId>(i);
     wall.shape = random.shape(static_cast<Shape::Kind>(i % 4), 0.05);
     wall.shape.centre += home;
+    wall.surface.staticFriction = 0.1 * (i % 3);
+    wall.surface.dynamicFriction = 0.05 * (i % 3);
+    wall.surface.hysteresis = 1e-4 * (i % 2);
+    if (i % 5 == 0) {
+      wall.shape.kind = Shape::Kind::mesh;
+      wall.shape.mesh = testing::boxSoup(wall.shape.centre, wall.shape.axes, 1 + i).mesh();
+    }
     scene.walls.push_back(wall);
     Zone zone;
-    zone.kind = i % 2 == 0 ? Zone::Kind::viscous : Zone::Kind::spring;
+    zone.kind = static_cast<Zone::Kind>(i % 3);
     zone.shape = wall.shape;
     scene.zones.push_back(zone);
   }

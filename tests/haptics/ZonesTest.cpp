@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/haptics/RandomShapes.h"
+#include "tests/haptics/meshes/SampleMeshes.h"
 
 namespace haptiv {
 namespace {
@@ -62,6 +63,45 @@ TEST(SpringZone, IsFiniteInItsAnchor) {
     EXPECT_EQ(forceAt(sceneOf({zone}), zone.anchor, Vector3::Zero()), Vector3::Zero());
     const Vector3 near = forceAt(sceneOf({zone}), zone.anchor + Vector3(0, 1e-300, 0), Vector3::Zero());
     EXPECT_LE(near.norm(), 150 * restLength + 1e-12);
+  }
+}
+
+TEST(RubberBand, PullsOnlyWhereItIsLongerThanItsRestLength) {
+  Zone zone = boxZone(Zone::Kind::rubberBand);
+  zone.restLength = 0.05;
+  const HapticScene scene = sceneOf({zone});
+  EXPECT_EQ(forceAt(scene, {0.02, 0.04, 0}, {1, 1, 1}), Vector3::Zero());
+  EXPECT_LT((forceAt(scene, {0.02, 0.07, 0}, {1, 1, 1}) - Vector3(0, -150 * 0.02, 0)).norm(), 1e-12);
+  EXPECT_EQ(forceAt(scene, zone.anchor, {1, 1, 1}), Vector3::Zero());
+}
+
+TEST(RubberBand, TakesHoldContinuouslyAtItsRestLength) {
+  Zone zone = boxZone(Zone::Kind::rubberBand);
+  zone.restLength = 0.05;
+  const HapticScene scene = sceneOf({zone});
+  Vector3 last = Vector3::Zero();
+  for (double y = 0; y < 0.08; y += 1e-5) {
+    const Vector3 force = forceAt(scene, {0.02, y, 0}, Vector3::Zero());
+    EXPECT_LE((force - last).norm(), 150 * 1e-5 * 1.001);
+    last = force;
+  }
+  EXPECT_LT(last.y(), 0);
+}
+
+TEST(Zones, AreBoundedByClosedMeshesAsByTheShapesTheyAre) {
+  RandomShapes random(3);
+  Zone exact = boxZone(Zone::Kind::viscous), mesh = exact, open = exact;
+  mesh.shape.kind = open.shape.kind = Shape::Kind::mesh;
+  mesh.shape.mesh = testing::boxSoup(exact.shape.centre, exact.shape.axes, 3).mesh();
+  testing::Soup soup = testing::boxSoup(exact.shape.centre, exact.shape.axes, 3);
+  soup.triangles.pop_back();
+  open.shape.mesh = soup.mesh();
+  for (int i = 0; i < 2000; ++i) {
+    const Vector3 p = random.vector(0.12), v = random.vector(1);
+    EXPECT_LT((forceAt(sceneOf({exact}), p, v) - forceAt(sceneOf({mesh}), p, v)).norm(), 1e-9);
+    int inside = 1;
+    EXPECT_EQ(forceAt(sceneOf({open}), p, v, &inside), Vector3::Zero());
+    EXPECT_EQ(inside, 0);
   }
 }
 

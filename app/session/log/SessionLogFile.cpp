@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "app/session/log/LogLayout.h"
-#include "haptics/SceneBytes.h"
 
 namespace haptiv {
 namespace {
@@ -90,7 +89,7 @@ void SessionLogWriter::File::add(const HapticScene& scene, const std::string& te
                    std::to_string(newestVersion_),
                "Give every scene of a session a greater version");
   newestVersion_ = scene.version;
-  const std::vector<std::byte> bytes = toBytes(scene);
+  const std::vector<std::byte> bytes = encoder_.encode(scene);
   const auto textSize = static_cast<std::int64_t>(text.size()), byteSize = static_cast<std::int64_t>(bytes.size());
   waitingIndex_.insert(waitingIndex_.end(), {newestVersion_, textsEnd_, textSize, bytesEnd_, byteSize});
   waitingTexts_ += text;

@@ -8,6 +8,7 @@
 #include "app/session/log/Hdf5Table.h"
 #include "app/session/log/SessionLogWriter.h"
 #include "app/session/log/TickColumns.h"
+#include "haptics/SceneBytes.h"
 
 namespace haptiv {
 
@@ -52,6 +53,7 @@ struct SessionLogWriter::File {
   std::vector<std::int64_t> waitingIndex_;
   std::string waitingTexts_;
   std::vector<std::byte> waitingBytes_;
+  SceneEncoder encoder_;
   std::int64_t textsEnd_ = 0;
   std::int64_t bytesEnd_ = 0;
   std::int64_t newestVersion_ = -1;

@@ -96,6 +96,7 @@ void SessionLog::File::readScenes() {
   std::vector<SceneRow> rows(index.rows());
   index.read(0, rows.size(), rows.data());
   SceneRow last{-1, 0, 0, 0, 0};
+  SceneDecoder decoder;
   for (const SceneRow& row : rows) {
     if (row.version <= last.version || !follows(row.text, row.textSize, last.text + last.textSize, texts) ||
         !follows(row.bytes, row.byteSize, last.bytes + last.byteSize, bytes)) {
@@ -108,7 +109,7 @@ void SessionLog::File::readScenes() {
     texts.read(static_cast<std::uint64_t>(row.text), scene.text.size(), scene.text.data());
     bytes.read(static_cast<std::uint64_t>(row.bytes), packed.size(), packed.data());
     try {
-      scene.scene = sceneFromBytes(packed);
+      scene.scene = decoder.decode(packed);
     } catch (const std::runtime_error& error) {
       hdf5::fail(path, "scene version " + std::to_string(row.version) + ": " + error.what(), kDamaged);
     }

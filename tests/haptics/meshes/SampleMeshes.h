@@ -74,4 +74,19 @@ inline Soup plateSoup(double half, int n = 1) {
   return soup;
 }
 
+inline Wall meshWall(const Soup& soup, double stiffness = 2000, double damping = 20) {
+  Wall wall;
+  wall.shape.kind = Shape::Kind::mesh;
+  wall.shape.mesh = soup.mesh();
+  wall.surface.stiffness = stiffness;
+  wall.surface.damping = damping;
+  return wall;
+}
+
+/// The triangles turned and moved.
+inline Soup moved(Soup soup, const Matrix3& R, const Vector3& p) {
+  for (Vector3& vertex : soup.vertices) vertex = R * vertex + p;
+  return soup;
+}
+
 }  // namespace haptiv::testing

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+
+#include "haptics/HapticScene.h"
+
+namespace haptiv {
+
+/// The ball as the laws see it: centre [m], velocity [m/s], in W, and radius [m].
+struct ToolMotion {
+  Vector3 position = Vector3::Zero();
+  Vector3 velocity = Vector3::Zero();
+  double radius = 0.01;
+};
+
+/// One place of a wall that the ball touches.
+struct Contact {
+  ShapeId id = 0;
+  std::int32_t wall = 0;              ///< index into HapticScene::walls
+  std::int32_t face = 0;              ///< at which the ball was stopped; of a mesh, the triangle
+  double depth = 0;                   ///< how far the wall holds the ball back [m]; 0: only where the others press it
+  Vector3 normal = Vector3::UnitZ();  ///< outward, in W
+  double offset = 0;                  ///< the wall leaves the ball's centre x where normal . x >= offset [m]
+  double slack = 0;                   ///< part of the depth that hysteresis takes away [m]
+  Vector3 force = Vector3::Zero();    ///< on the ball, in W [N]
+
+  double elasticDepth() const noexcept { return depth - slack; }  ///< that the wall's spring has [m]
+};
+
+/// The walls in contact: at most kMaxContacts, the nearest ones; and what is remembered of how the ball came there.
+struct ContactSet {
+  static constexpr int kMaxContacts = 16;
+  std::array<Contact, kMaxContacts> contact{};
+  int count = 0;
+  bool started = false;
+  bool sliding = false;                       ///< friction does not hold the proxy
+  std::uint32_t sceneVersion = 0;             ///< for which `wall` holds
+  Vector3 surfacePosition = Vector3::Zero();  ///< the proxy: the ball's centre as the walls allow it, p_WT [m]
+  Vector3 toolPosition = Vector3::Zero();     ///< p_WT [m]
+  Vector3 frictionOffset = Vector3::Zero();   ///< from there to where the proxy was to go, in W [m]
+
+  Contact* begin() noexcept { return contact.data(); }
+  Contact* end() noexcept { return contact.data() + count; }
+  const Contact* begin() const noexcept { return contact.data(); }
+  const Contact* end() const noexcept { return contact.data() + count; }
+};
+
+}  // namespace haptiv

@@ -1,0 +1,79 @@
+#include "haptics/contact/Friction.h"
+
+#include <algorithm>
+
+#include "haptics/FreeMotion.h"
+#include "haptics/contact/Proxy.h"
+
+namespace haptiv {
+namespace {
+
+/// What presses the proxy on the walls.
+struct Cone {
+  double depth = 0;         ///< sum of d_i [m]
+  double normalForce = 0;   ///< sum of k_i d_i [N]
+  double staticForce = 0;   ///< sum of mu_i k_i d_i [N]
+  double dynamicForce = 0;  ///< the same [N]
+
+  void press(const SurfaceProperties& surface, double d) noexcept {
+    const double force = surface.stiffness * d;
+    depth += d;
+    normalForce += force;
+    staticForce += surface.staticFriction * force;
+    dynamicForce += std::min(surface.dynamicFriction, surface.staticFriction) * force;
+  }
+  double stiffness() const noexcept { return depth > 0 ? normalForce / depth : 0; }
+  /// How far the proxy may be from where it would go without friction [m].
+  double reach(bool sliding) const noexcept {
+    return normalForce > 0 ? (sliding ? dynamicForce : staticForce) / stiffness() : 0;
+  }
+};
+
+const SurfaceProperties& surfaceOf(const HapticScene& scene, const Contact& contact) noexcept {
+  return scene.walls[static_cast<std::size_t>(contact.wall)].surface;
+}
+
+/// Of the contacts of the tick before, for a proxy that is drawn to `goal`.
+Cone coneAt(const HapticScene& scene, const ContactSet& before, const Vector3& goal) noexcept {
+  ProxyPlanes planes;
+  for (const Contact& contact : before) planes.add(contact.normal, contact.offset);
+  planes.nearest(goal);
+  Cone cone;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(before.count); ++i) {
+    const Contact& contact = before.contact[i];
+    const double elastic = contact.depth > 0 ? contact.elasticDepth() / contact.depth : 1;
+    cone.press(surfaceOf(scene, contact), elastic * planes.share[i]);
+  }
+  return cone;
+}
+
+}  // namespace
+
+Friction holdProxy(const HapticScene& scene, const ContactSet& before, const Vector3& position) noexcept {
+  const bool hasFriction = std::any_of(before.begin(), before.end(), [&](const Contact& contact) {
+    return surfaceOf(scene, contact).staticFriction > 0;
+  });
+  if (!hasFriction) return {};
+  Vector3 offset = before.frictionOffset - freeVelocity(position - before.toolPosition, before);
+  if (before.count == 1) offset -= offset.dot(before.contact[0].normal) * before.contact[0].normal;
+  const Cone cone = coneAt(scene, before, position + offset);
+  const double length = offset.norm();
+  if (length <= cone.reach(before.sliding)) return {offset, false};
+  return {offset * (cone.reach(true) / length), true};
+}
+
+Vector3 frictionForce(const HapticScene& scene, const Friction& friction, ContactSet& contacts) noexcept {
+  Cone cone;
+  for (const Contact& contact : contacts) cone.press(surfaceOf(scene, contact), contact.elasticDepth());
+  const double length = friction.offset.norm();
+  const double allowed = std::min(length, cone.reach(friction.sliding));
+  if (!(allowed > 0)) return Vector3::Zero();
+  const Vector3 force = friction.offset * (cone.stiffness() * allowed / length);
+  for (Contact& contact : contacts) {
+    const SurfaceProperties& surface = surfaceOf(scene, contact);
+    contact.force += force * (surface.stiffness * contact.elasticDepth() / cone.normalForce);
+  }
+  return force;
+}
+
+}  // namespace haptiv

@@ -1,0 +1,75 @@
+#include "haptics/contact/MeshTouch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptics/meshes/MeshDistance.h"
+#include "haptics/shapes/AxialPoint.h"
+
+namespace haptiv {
+namespace {
+
+constexpr double kTouch = 1e-7;       ///< of the radius. At this height over an edge the normal is off by 4.5e-4
+constexpr double kSameNormal = 6e-4;  ///< so these are one
+constexpr double kGraze = 1e-3;       ///< and this is no obstacle
+
+/// Takes a touch into the list, or in the place of one of the same normal that is farther.
+void take(NearSurfaces& list, const NearSurface& touch) noexcept {
+  std::size_t slot = list.count;
+  for (std::size_t i = 0; i < list.count; ++i) {
+    const NearSurface& other = list.surface[i];
+    if (other.wall != touch.wall) continue;
+    if ((other.normal - touch.normal).squaredNorm() > kSameNormal * kSameNormal) continue;
+    if (other.distance <= touch.distance) return;
+    slot = i;
+    break;
+  }
+  if (slot == NearSurfaces::kMost) return;  // freeLength stops the ball there all the same
+  if (slot == list.count) ++list.count;
+  list.surface[slot] = touch;
+}
+
+}  // namespace
+
+double touchTolerance(const Vector3& p_W, double radius) noexcept {
+  return kTouch * radius + 1e-15 * p_W.cwiseAbs().maxCoeff();
+}
+
+void findTouched(const HapticScene& scene, const MeshNeighbourhood& meshes, const Vector3& p_W, double radius,
+                 NearSurfaces& touched) noexcept {
+  touched.count = 0;
+  const double reach = radius + 2 * touchTolerance(p_W, radius);
+  meshes.forEachNear(p_W, reach, [&](std::uint32_t wall, std::uint32_t triangle, const Vector3& closest) {
+    const Vector3 away = p_W - closest;
+    const double distance = away.norm();
+    const Vector3 normal =
+        distance > kTouch * radius ? Vector3(away / distance) : faceNormal(*scene.walls[wall].shape.mesh, triangle);
+    take(touched, {static_cast<std::int32_t>(wall), static_cast<int>(triangle), distance, normal});
+  });
+}
+
+double freeLength(const MeshNeighbourhood& meshes, const Vector3& from_W, const Vector3& direction, double length,
+                  double radius) noexcept {
+  constexpr int kNewtonSteps = 40;
+  const double tolerance = touchTolerance(from_W, radius);
+  double free = length;
+  meshes.forEachAlong(from_W, from_W + length * direction, radius, [&](std::uint32_t wall, std::uint32_t triangle) {
+    double gone = 0;
+    for (int step = 0; step < kNewtonSteps; ++step) {
+      const Vector3 p = from_W + gone * direction;
+      const Vector3 away = p - meshes.closest(wall, triangle, p);
+      const double distance = away.norm();
+      const double growth = away.dot(direction);  // of the distance along the way, times the distance
+      // Even to the end of the way, a grazed triangle is not entered by more than an eighth of the radius.
+      const double graze = std::min(kGraze, 0.125 * radius / (length - gone));
+      if (!(growth < -graze * distance)) return;
+      if (distance - radius <= tolerance) break;
+      gone += (distance - radius) * distance / -growth;
+      if (!(gone < free)) return;
+    }
+    free = gone;
+  });
+  return free;
+}
+
+}  // namespace haptiv

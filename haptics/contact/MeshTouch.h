@@ -1,0 +1,29 @@
+#pragma once
+
+#include "haptics/contact/MeshNeighbourhood.h"
+#include "haptics/contact/NearSurfaces.h"
+
+namespace haptiv {
+
+/// How the proxy, a ball of the tool's radius, meets triangles. A triangle and a ball around its points are convex: the
+/// half space through the ball's centre, across the shortest way to the triangle, leaves all of the triangle outside.
+/// Both sides of a triangle are alike. All tolerances are parts of the ball's radius.
+
+/// The distance that counts as touching, beyond the ball's radius [m].
+double touchTolerance(const Vector3& p_W, double radius) noexcept;
+
+/// The triangles that touch a ball. Of those of one wall whose normals differ by less than a thousandth only the
+/// nearest counts: the ball rolls over inner edges of a flat or finely curved surface as if they were not there.
+/// Realtime-safe: yes.
+void findTouched(const HapticScene& scene, const MeshNeighbourhood& meshes, const Vector3& p_W, double radius,
+                 NearSurfaces& touched) noexcept;
+
+/// How far a ball gets on the straight way before it touches a triangle, 0 to `length` [m]. Triangles that it only
+/// grazes (to within a thousandth of the way) do not stop it.
+///
+/// The distance to a triangle is convex along the way, so Newton's steps come to the first touch from before it, and
+/// never pass it. Realtime-safe: yes.
+double freeLength(const MeshNeighbourhood& meshes, const Vector3& from_W, const Vector3& direction, double length,
+                  double radius) noexcept;
+
+}  // namespace haptiv

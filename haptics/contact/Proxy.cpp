@@ -1,0 +1,77 @@
+#include "haptics/contact/Proxy.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "haptics/contact/MeshTouch.h"
+
+namespace haptiv {
+namespace {
+
+// Surfaces met or left within a tick: a few to arrive well, more where much of the way is left, and no more.
+constexpr int kFewPasses = 4, kMostPasses = 16;
+constexpr double kArrived = 1e-5, kAlmost = 1e-2;  ///< of the radius: what is left of the way
+constexpr double kStride = 1e-3;                   ///< of the radius: a way worth going with what is known
+
+bool holds(const ProxyPlanes& planes) noexcept {
+  return std::any_of(planes.share.begin(), planes.share.begin() + planes.count, [](double share) { return share > 0; });
+}
+
+void copyPlanes(const ProxyPlanes& from, ProxyPlanes& to) noexcept {
+  to.count = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(from.count); ++i) to.add(from.normal[i], from.offset[i]);
+}
+
+/// Part of the radius that may be left of the way of a proxy that is held; one that is not, has to fall on.
+double enoughAfter(int passes) noexcept {
+  return passes < kFewPasses ? kArrived : passes < kMostPasses ? kAlmost : std::numeric_limits<double>::infinity();
+}
+
+/// How far to look ahead at once: along what is already known about the triangles, as most ways end there.
+double stride(const MeshNeighbourhood& meshes, const Vector3& from, double length, double radius) noexcept {
+  const double known = meshes.knownAround(from, radius);
+  return known > kStride * radius ? std::min(length, 0.999 * known) : length;
+}
+
+/// Without meshes there is nothing to meet on the way.
+void slideAlongWalls(const ProxyPlanes& walls, const Vector3& goal, Proxy& proxy) noexcept {
+  copyPlanes(walls, proxy.planes);
+  proxy.touching.count = 0;
+  const Vector3 target = proxy.planes.nearest(goal);
+  const Vector3 step = target - proxy.position;
+  const double length = step.norm();
+  const bool isHeld = holds(proxy.planes);
+  proxy.position = isHeld && length > proxy.way ? Vector3(proxy.position + proxy.way / length * step) : target;
+  if (isHeld) proxy.way = std::max(0.0, proxy.way - length);
+}
+
+}  // namespace
+
+void addPlanes(ProxyPlanes& planes, const NearSurfaces& near, const Vector3& place, double radius) noexcept {
+  for (std::size_t i = 0; i < near.count; ++i) {
+    const NearSurface& each = near.surface[i];
+    planes.add(each.normal, each.normal.dot(place) + radius - each.distance);
+  }
+}
+
+void slide(const HapticScene& scene, const MeshNeighbourhood& meshes, const ProxyPlanes& walls, const Vector3& goal,
+           double radius, Proxy& proxy) noexcept {
+  if (meshes.isEmpty()) return slideAlongWalls(walls, goal, proxy);
+  for (int pass = 0;; ++pass) {
+    findTouched(scene, meshes, proxy.position, radius, proxy.touching);
+    copyPlanes(walls, proxy.planes);
+    addPlanes(proxy.planes, proxy.touching, proxy.position, radius);
+    const Vector3 target = proxy.planes.nearest(goal);
+    const Vector3 step = target - proxy.position;
+    const double length = step.norm();
+    const bool isHeld = holds(proxy.planes);
+    const double allowed = isHeld ? std::min(length, proxy.way) : length;
+    if (!(allowed > (isHeld ? enoughAfter(pass) * radius : 0)) || pass > kMostPasses) break;
+    const double ahead = stride(meshes, proxy.position, allowed, radius);
+    const double gone = freeLength(meshes, proxy.position, step / length, ahead, radius);
+    proxy.position = gone == length ? target : Vector3(proxy.position + gone / length * step);
+    if (isHeld) proxy.way -= gone;
+  }
+}
+
+}  // namespace haptiv

@@ -1,0 +1,40 @@
+#include "haptics/contact/WallsAround.h"
+
+#include "haptics/NearShapes.h"
+
+namespace haptiv {
+namespace {
+
+/// Drops the farthest if `found` is nearer; of equally far ones, the last.
+bool makeRoom(NearSurfaces& near, const NearSurface& found) noexcept {
+  std::size_t farthest = 0;
+  for (std::size_t i = 1; i < near.count; ++i) {
+    if (near.surface[i].distance >= near.surface[farthest].distance) farthest = i;
+  }
+  const NearSurface& last = near.surface[farthest];
+  if (found.distance > last.distance || (found.distance == last.distance && found.wall > last.wall)) return false;
+  --near.count;
+  for (std::size_t i = farthest; i < near.count; ++i) near.surface[i] = near.surface[i + 1];
+  return true;
+}
+
+/// The same ones in whatever order they are found.
+void take(NearSurfaces& near, const NearSurface& found) noexcept {
+  if (near.count == NearSurfaces::kMost && !makeRoom(near, found)) return;
+  std::size_t at = near.count++;
+  for (; at > 0 && near.surface[at - 1].wall > found.wall; --at) near.surface[at] = near.surface[at - 1];
+  near.surface[at] = found;
+}
+
+}  // namespace
+
+void findWallsAround(const HapticScene& scene, const Vector3& place, double radius, NearSurfaces& near) noexcept {
+  near.count = 0;
+  const auto isExact = [](const Shape& shape) { return shape.kind != Shape::Kind::mesh; };
+  forEachNear(scene.walls, scene.wallIndex, place, 2 * radius, isExact,
+              [&](std::size_t wall, const SurfacePoint& surface) {
+                take(near, {static_cast<std::int32_t>(wall), surface.face, surface.distance, surface.normal});
+              });
+}
+
+}  // namespace haptiv
