@@ -18,12 +18,16 @@ std::string builtInNames() {
   return names;
 }
 
+constexpr std::uintmax_t kLargestFile = 1 << 20;  // [bytes]
+
 std::string readWhole(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
     throw std::runtime_error(
         path + ": no such device description; give the path of a TOML file, or a built-in name: " + builtInNames());
   }
+  if (std::filesystem::file_size(path, error) > kLargestFile)
+    throw std::runtime_error(path + ": larger than 1 MB, which no device description is; name another file");
   std::ifstream file(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!file.good() && !file.eof()) throw std::runtime_error(path + ": cannot be read; check its permissions");
@@ -47,11 +51,12 @@ Wrench DeviceDescription::handleWrench(const DeviceReading& reading) const noexc
   return {sensor.forceResolution * values.head<3>(), sensor.torqueResolution * values.tail<3>()};
 }
 
-DeviceDescription loadDeviceDescription(const std::string& nameOrPath) {
+DeviceDescription loadDeviceDescription(const std::string& nameOrPath, const std::string& namedIn) {
   for (const auto& builtIn : builtInDescriptions()) {
     if (builtIn.name == nameOrPath) return parseDeviceDescription(builtIn.text, nameOrPath);
   }
-  return parseDeviceDescription(readWhole(nameOrPath), nameOrPath);
+  const std::string path = (std::filesystem::path(namedIn).parent_path() / nameOrPath).string();
+  return parseDeviceDescription(readWhole(path), path);
 }
 
 }  // namespace haptiv

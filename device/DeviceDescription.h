@@ -27,6 +27,8 @@ struct JointDrives {
   JointVector torqueLimit = JointVector::Constant(60);      ///< [N m]
   JointVector inertia = JointVector::Constant(1);           ///< seen at the joint [kg m^2]
   JointVector bandwidth = JointVector::Constant(400);       ///< of the drive's velocity loop [rad/s]
+  JointVector viscousFriction = JointVector::Zero();        ///< at the joint [N m s/rad]
+  JointVector coulombFriction = JointVector::Zero();        ///< at the joint [N m]
 
   /// Encoder counts per radian of the joint.
   JointVector countsPerRadian() const;
@@ -59,9 +61,21 @@ struct ControlSettings {
   double trackingErrorLimit = 0.05;    ///< [rad] between desired and measured joint angle; beyond: fault
 };
 
+/// When the safety circuit stops the arm                                           [paper, section III.D]
+/// They are kept for the device with a circuit of its own, which is told them when it is started; the simulated arm has
+/// none. `haptiv device check` holds the clamps against the arm's specification.
+struct SafetyThresholds {
+  double watchdogTime = 0.02;  ///< longest time between two commands [s]
+  /// A joint turns too fast when its encoder counts more than countThreshold within velocityTimeUnit [s].
+  double velocityTimeUnit = 0.001;
+  JointVector countThreshold = JointVector::Constant(512);
+  double forceClamp = 170;  ///< largest force that a scene may ask for [N]
+  double speedClamp = 1.5;  ///< largest speed of the tool [m/s]
+};
+
 /// Everything the program knows of one device: data, never code.
 ///
-/// Read from a TOML file with `schema = 1`; device/descriptions/vishard10.toml shows and explains every key.
+/// Read from a TOML file with `schema = 1`: docs/device.md tells every key.
 struct DeviceDescription {
   std::string name = "vishard10";
   LinkLengths links;    ///< of VISHARD10
@@ -72,8 +86,11 @@ struct DeviceDescription {
   HandModel hand;
   ControlSettings control;
   RedundancySettings redundancy;
+  SafetyThresholds safety;
   JointVector homeAngles = JointVector::Zero();  ///< gives orientation and elbow side at the start of a session
   std::string text;                              ///< the file it came from, for the session log
+
+  int jointCount() const { return chain.joints.empty() ? kJointCount : static_cast<int>(chain.joints.size()); }
 
   /// Joint angles [rad] that the encoders report. Realtime-safe: yes.
   JointVector jointAngles(const DeviceReading& reading) const noexcept;
@@ -83,11 +100,12 @@ struct DeviceDescription {
 
 /// Parses a description. Throws std::runtime_error "NAME:LINE:COLUMN: what, and what to do" on syntax errors,
 /// unknown keys, wrong types, wrong array lengths and impossible values. Missing keys keep their defaults; schema must
-/// be there.
+/// be there. Never crashes or hangs on hostile text.
 DeviceDescription parseDeviceDescription(std::string_view toml, const std::string& sourceName);
 
-/// Finds a description: one of the built-in names ("vishard10"), or a path to a TOML file.
+/// Finds a description: one of the built-in names ("vishard10"), or a path to a TOML file; a relative one is
+/// relative to the folder of `namedIn`, the scene file that names it, or to the working directory where that is empty.
 /// Throws std::runtime_error that lists the built-in names when there is none.
-DeviceDescription loadDeviceDescription(const std::string& nameOrPath);
+DeviceDescription loadDeviceDescription(const std::string& nameOrPath, const std::string& namedIn = {});
 
 }  // namespace haptiv

@@ -54,7 +54,7 @@ void judge(LoadedScene& loaded, double rate) {
   const HapticScene& scene = *loaded.compiled.scene;
   Diagnostics found;
   try {
-    loaded.device = loadDeviceDescription(scene.device.description);
+    loaded.device = loadDeviceDescription(scene.device.description, loaded.file.path);
     found = judgeScene({scene, origins, loaded.device, rate});
   } catch (const std::exception& error) {
     found.push_back({Diagnostic::Severity::error, {}, 0, "HapticDevice", error.what(), origins.device});

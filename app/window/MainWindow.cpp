@@ -37,7 +37,7 @@ void MainWindow::connectParts() {
   connect(p.saveAs, &QAction::triggered, this, [this] { save(true); });
 
   connect(p.document, &SceneDocument::sceneReplaced, this, [this] {
-    parts_->shownDevice.clear();  // the file of the same name may have changed
+    parts_->shownDevice = {};  // the file of the same name may have changed
     showDocument(true);
   });
   connect(p.document, &SceneDocument::sceneChanged, p.view, &SceneView::redraw);
@@ -173,10 +173,11 @@ void MainWindow::showAtRest() {
   const auto& scene = p.document->compiled().scene;
   if (!scene || p.replay || p.session->isRunning()) return;
   try {
-    if (p.shownDevice != scene->device.description) {
-      p.description = loadDeviceDescription(scene->device.description);
-      p.shownDevice = scene->device.description;
-      p.session->forgetResolution();  // it was chosen for another arm
+    const std::string path = p.document->path().toStdString();
+    if (const std::pair named{path, scene->device.description}; p.shownDevice != named) {
+      p.description = loadDeviceDescription(named.second, path);
+      if (p.shownDevice.second != named.second) p.session->forgetResolution();  // it was chosen for another arm
+      p.shownDevice = named;
     }
     p.view->overlay().setUp(*scene, p.description);
     showDexterityAtRest();

@@ -3,6 +3,8 @@
 #include <QAction>
 #include <QDockWidget>
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "app/dexterity/DexterityPanel.h"
 #include "app/editor/Editor.h"
@@ -38,8 +40,8 @@ struct MainWindow::Parts {
   SessionStatus* status;
   std::unique_ptr<ReplayStage> replay;
 
-  DeviceDescription description;  ///< of the arm that is shown at rest ...
-  std::string shownDevice;        ///< ... under this name or path
+  DeviceDescription description;                    ///< of the arm that is shown at rest ...
+  std::pair<std::string, std::string> shownDevice;  ///< ... as this scene file names it
 
   QDockWidget* propertiesDock = nullptr;
   QDockWidget* dexterityDock = nullptr;

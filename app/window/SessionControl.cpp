@@ -28,7 +28,7 @@ struct SessionControl::Parts {
     setup.scene = withResolution(document.compiled().scene, resolution);
     setup.sceneName = document.path().toStdString();
     setup.sceneText = text;
-    setup.description = description = loadDeviceDescription(setup.scene->device.description);
+    setup.description = description = loadDeviceDescription(setup.scene->device.description, setup.sceneName);
     setup.rate = rate;
     setup.liveHand = true;
     setup.log = logPath.toStdString();

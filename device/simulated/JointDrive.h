@@ -8,12 +8,15 @@ struct DriveLimits {
   double torque = 60;      ///< [N m]
   double inertia = 1;      ///< at the joint [kg m^2]
   double bandwidth = 400;  ///< of the velocity loop [rad/s]
+  double viscous = 0;      ///< friction at the joint [N m s/rad]
+  double coulomb = 0;      ///< [N m]
 };
 
 /// A velocity-controlled drive with its joint: rate set-point to angle is of second order.
 ///
-///   I w' = tau + tau_load,   tau = I bandwidth (w_set - w) - tau_load within +-torque,   w_set within +-rate
-/// The loop carries the load as far as its torque goes, and what exceeds that moves the joint.
+///   I w' = tau + tau_load - tau_friction,   tau_friction = viscous w + coulomb sign(w)
+///   tau = I bandwidth (w_set - w) - tau_load + tau_friction within +-torque,   w_set within +-rate
+/// The loop carries load and friction as far as its torque goes; what exceeds that moves the joint.
 class JointDrive {
  public:
   JointDrive(const DriveLimits& limits, double angle) : limits_(limits), angle_(angle) {}

@@ -27,7 +27,8 @@ struct Motion {
       : hand(description.hand), sensor(description.sensor, seed) {
     const JointDrives& all = description.drives;
     for (int i = 0; i < kJointCount; ++i) {
-      drives.emplace_back(DriveLimits{all.rateLimit[i], all.torqueLimit[i], all.inertia[i], all.bandwidth[i]},
+      drives.emplace_back(DriveLimits{all.rateLimit[i], all.torqueLimit[i], all.inertia[i], all.bandwidth[i],
+                                      all.viscousFriction[i], all.coulombFriction[i]},
                           angles[i]);
     }
   }

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "tests/device/parsing/Refusal.h"
+
 namespace haptiv {
 namespace {
 
@@ -16,21 +18,14 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// The message with which a description is refused; empty when it is accepted.
-std::string refusal(const std::string& toml) {
-  try {
-    parseDeviceDescription(toml, "arm.toml");
-    return "";
-  } catch (const std::runtime_error& error) {
-    return error.what();
+TEST(DeviceDescription, BuiltInOnesAreTheFilesOfTheSources) {
+  for (const std::string name : {"vishard10", "anthropomorphic7"}) {
+    std::ifstream file(HAPTIV_SOURCE_DIR "/device/descriptions/" + name + ".toml", std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    ASSERT_FALSE(text.empty());
+    EXPECT_EQ(loadDeviceDescription(name).text, text);
+    EXPECT_EQ(loadDeviceDescription(name).name, name);
   }
-}
-
-TEST(DeviceDescription, BuiltInIsTheFileOfTheSources) {
-  std::ifstream file(HAPTIV_SOURCE_DIR "/device/descriptions/vishard10.toml", std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  ASSERT_FALSE(text.empty());
-  EXPECT_EQ(loadDeviceDescription("vishard10").text, text);
 }
 
 TEST(DeviceDescription, ComesBackFromItsOwnText) {
@@ -50,13 +45,25 @@ TEST(DeviceDescription, LoadsFromAPath) {
   EXPECT_EQ(loadDeviceDescription(path).homeAngles, loadDeviceDescription("vishard10").homeAngles);
 }
 
+TEST(DeviceDescription, ARelativePathStartsAtTheFileThatNamesIt) {
+  const std::string scene = HAPTIV_SOURCE_DIR "/scenes/wall.iv", path = "../device/descriptions/vishard10.toml";
+  EXPECT_EQ(loadDeviceDescription(path, scene).homeAngles, loadDeviceDescription("vishard10").homeAngles);
+  EXPECT_THROW(loadDeviceDescription("vishard10.toml", scene), std::runtime_error);
+}
+
 TEST(DeviceDescription, TakesEveryKeyOfItsFormat) {
   const auto d = parseDeviceDescription(
       "schema = 1\nname = 'small'\n[links]\nscara = 0.1\nforearm = 0.2\nlift = 0.3\nscaraHeight = 0.4\nwristBracket = "
       "1\n"
       "[sensor]\nforceResolution = 1\ntorqueResolution = 2\nforceNoise = 3\ntorqueNoise = 4\nforceRange = 5\n"
       "torqueRange = 6\n[hand]\nstiffness = 7\ndamping = 8\npeakForce = 9\nbandwidth = 10\n[control]\ndriftGain = 11\n"
-      "jointGain = 12\nsingularityDamping = 13\nsingularityThreshold = 14\ntrackingErrorLimit = 15\n",
+      "jointGain = 12\nsingularityDamping = 13\nsingularityThreshold = 14\ntrackingErrorLimit = 15\n"
+      "[safety]\nwatchdogTime = 16\nvelocityTimeUnit = 0.1\ncountThreshold = "
+      "[9e6,9e6,9e6,9e6,9e6,9e6,9e6,9e6,9e6,9e6]\n"
+      "forceClamp = 17\nspeedClamp = 18\n"
+      "[redundancy]\nstrategy = 'dir'\nsolution = 'partitioned'\nstepFull = {man = 19, dir = 20, cond = 21}\n"
+      "translationWeight = 22\nrotationWeight = 23\nweighByRateLimits = true\n"
+      "normalisationPoses = [[1,2,3,4,5,6,7,8,9,10], [0,0,0,0,0,0,0,0,0,0]]\n[redundancy.stepPartitioned]\ncond = 24\n",
       "small.toml");
   EXPECT_EQ(d.name, "small");
   EXPECT_EQ(Vector3(d.links.scara, d.links.forearm, d.links.lift), Vector3(0.1, 0.2, 0.3));
@@ -69,6 +76,18 @@ TEST(DeviceDescription, TakesEveryKeyOfItsFormat) {
   EXPECT_EQ(Vector3(d.control.driftGain, d.control.jointGain, d.control.singularityDamping), Vector3(11, 12, 13));
   EXPECT_EQ(d.control.singularityThreshold, 14);
   EXPECT_EQ(d.control.trackingErrorLimit, 15);
+  EXPECT_EQ(Vector3(d.safety.watchdogTime, d.safety.forceClamp, d.safety.speedClamp), Vector3(16, 17, 18));
+  EXPECT_EQ(d.safety.velocityTimeUnit, 0.1);
+  EXPECT_EQ(d.safety.countThreshold, JointVector::Constant(9e6));
+  EXPECT_EQ(d.redundancy.choice, (ResolutionChoice{Strategy::dir, Solution::partitioned}));
+  EXPECT_EQ(Vector3(d.redundancy.stepFull.man, d.redundancy.stepFull.dir, d.redundancy.stepFull.cond),
+            Vector3(19, 20, 21));
+  EXPECT_EQ(d.redundancy.stepPartitioned.cond, 24);
+  EXPECT_EQ(d.redundancy.translationWeight, 22);
+  EXPECT_EQ(d.redundancy.rotationWeight, 23);
+  EXPECT_TRUE(d.redundancy.weighByRateLimits);
+  ASSERT_EQ(d.redundancy.normalisationPoses.size(), 2u);
+  EXPECT_EQ(d.redundancy.normalisationPoses[0][9], 10);
 }
 
 TEST(DeviceDescription, KeepsDefaultsForMissingKeysButAsksForTheSchema) {
@@ -112,6 +131,14 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"RangeBeyondCounts", "schema = 1\n[sensor]\nforceRange = 1e4\n", "arm.toml:3:14: ", "32767"},
         BadFile{"TooManyCounts", "schema = 1\n[drives]\ngearRatio = [1e9,1,1,1,1,1,1,1,1,1]\n",
                 "arm.toml:3:13: ", "32-bit"},
+        BadFile{"UnknownStrategy", "schema = 1\n[redundancy]\nstrategy = 'best'\n", "arm.toml:3:12: ", "'cond'"},
+        BadFile{"NumberForSteps", "schema = 1\n[redundancy]\nstepFull = 3\n", "arm.toml:3:12: ", "section"},
+        BadFile{"UnknownStep", "schema = 1\n[redundancy]\nstepFull = {best = 3}\n", "arm.toml:3:13: ", "stepFull.best"},
+        BadFile{"NumberForTruth", "schema = 1\n[redundancy]\nweighByRateLimits = 1\n", "arm.toml:3:21: ", "true"},
+        BadFile{"ShortPose", "schema = 1\n[redundancy]\nnormalisationPoses = [[1, 2]]\n", "arm.toml:3:23: ", "pose 1"},
+        BadFile{"ShutOffInUse", "schema = 1\n[safety]\ncountThreshold = [9e6,9e6,1,9e6,9e6,9e6,9e6,9e6,9e6,9e6]\n",
+                "arm.toml:3:18: ", "joint 3 is below its rateLimit"},
+        BadFile{"LinksOfMillimetres", "schema = 1\n[links]\nscara = 250\n", "arm.toml:3:9: ", "metres"},
         BadFile{"HomeBeyondCounts", "schema = 1\n[home]\nangles = [1e6,0,0,0,0,0,0,0,0,0]\n",
                 "arm.toml:3:10: ", "turns"}),
     [](const auto& instance) { return std::string(instance.param.what); });

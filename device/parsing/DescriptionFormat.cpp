@@ -1,0 +1,153 @@
+#include "device/parsing/DescriptionFormat.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "device/redundancy/ResolutionNames.h"
+
+namespace haptiv {
+namespace {
+
+using enum Rule;
+
+constexpr std::size_t kMostPoses = 100;
+
+Section drives(JointDrives& drives, int joints) {
+  return {"drives",
+          {{"gearRatio", JointList{&drives.gearRatio, joints}, positive},
+           {"countsPerTurn", JointList{&drives.countsPerTurn, joints}, positive},
+           {"rateLimit", JointList{&drives.rateLimit, joints}, positive},
+           {"torqueLimit", JointList{&drives.torqueLimit, joints}, positive},
+           {"inertia", JointList{&drives.inertia, joints}, positive},
+           {"bandwidth", JointList{&drives.bandwidth, joints}, positive},
+           {"viscousFriction", JointList{&drives.viscousFriction, joints}, notNegative},
+           {"coulombFriction", JointList{&drives.coulombFriction, joints}, notNegative}}};
+}
+
+Section safety(SafetyThresholds& safety, int joints) {
+  return {"safety",
+          {{"watchdogTime", &safety.watchdogTime, positive},
+           {"velocityTimeUnit", &safety.velocityTimeUnit, positive},
+           {"countThreshold", JointList{&safety.countThreshold, joints}, positive},
+           {"forceClamp", &safety.forceClamp, positive},
+           {"speedClamp", &safety.speedClamp, positive}}};
+}
+
+Section redundancy(RedundancySettings& redundancy, int joints) {
+  return {"redundancy",
+          {{"strategy", &redundancy.choice.strategy},
+           {"solution", &redundancy.choice.solution},
+           {"stepFull", &redundancy.stepFull},
+           {"stepPartitioned", &redundancy.stepPartitioned},
+           {"translationWeight", &redundancy.translationWeight, notNegative},
+           {"rotationWeight", &redundancy.rotationWeight, notNegative},
+           {"weighByRateLimits", &redundancy.weighByRateLimits},
+           {"normalisationPoses", PoseList{&redundancy.normalisationPoses, joints}}}};
+}
+
+template <typename Choices>
+std::vector<std::string> namesOf(const Choices& choices) {
+  std::vector<std::string> names;
+  for (const auto choice : choices) names.push_back(nameOf(choice));
+  return names;
+}
+
+/// Puts one value where its field says.
+struct Reader {
+  const TomlValues& toml;
+  const toml::node& node;
+  const std::string& what;
+  Rule rule;
+
+  void operator()(double* value) const { *value = toml.number(node, what, rule); }
+  void operator()(bool* value) const { *value = toml.truth(node, what); }
+  void operator()(std::string* value) const { *value = toml.text(node, what); }
+  void operator()(Strategy* value) const { *value = kStrategies[toml.choice(node, what, namesOf(kStrategies))]; }
+  void operator()(Solution* value) const { *value = kSolutions[toml.choice(node, what, namesOf(kSolutions))]; }
+  void operator()(StepLengths* steps) const {
+    readSection(
+        toml, node,
+        {what,
+         {{"man", &steps->man, notNegative}, {"dir", &steps->dir, notNegative}, {"cond", &steps->cond, notNegative}}});
+  }
+  void operator()(Vector3* value) const { toml.numbers(node, what, rule, "coordinate", {value->data(), 3}); }
+  void operator()(const RollPitchYaw& target) const {
+    Vector3 angles;
+    toml.numbers(node, what, any, "angle", {angles.data(), 3});
+    const auto about = [](double angle, const Vector3& axis) { return Eigen::AngleAxisd(angle, axis); };
+    *target.rotation = (about(angles.z(), Vector3::UnitZ()) * about(angles.y(), Vector3::UnitY()) *
+                        about(angles.x(), Vector3::UnitX()))
+                           .toRotationMatrix();
+  }
+  void operator()(const Direction& target) const {
+    Vector3 direction;
+    toml.numbers(node, what, any, "coordinate", {direction.data(), 3});
+    const double length = direction.stableNorm();
+    if (length == 0) toml.fail(node, what + " has no direction; write one, such as [0, 0, 1]");
+    *target.unit = (direction / length).normalized();
+  }
+  void operator()(const JointList& list) const {
+    toml.numbers(node, what, rule, "joint", {list.values->data(), static_cast<std::size_t>(list.joints)});
+  }
+  void operator()(const PoseList& list) const {
+    const toml::array& poses = toml.list(node, what, "the joint angles of one pose each");
+    if (poses.size() > kMostPoses) toml.fail(node, what + " has more than 100 poses; give fewer");
+    list.poses->assign(poses.size(), JointVector::Zero());
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      toml.numbers(poses[i], what + ", pose " + std::to_string(i + 1), any, "joint",
+                   {(*list.poses)[i].data(), static_cast<std::size_t>(list.joints)});
+  }
+};
+
+}  // namespace
+
+std::vector<Section> sectionsOf(DeviceDescription& d, int joints) {
+  return {
+      {"links",
+       {{"scara", &d.links.scara, positive},
+        {"forearm", &d.links.forearm, notNegative},
+        {"lift", &d.links.lift, positive},
+        {"scaraHeight", &d.links.scaraHeight, notNegative},
+        {"wristBracket", &d.links.wristBracket, notNegative}}},
+      {"tool", {{"xyz", &d.tool.position}, {"rpy", RollPitchYaw{&d.tool.rotation}}}},
+      drives(d.drives, joints),
+      {"sensor",
+       {{"forceResolution", &d.sensor.forceResolution, positive},
+        {"torqueResolution", &d.sensor.torqueResolution, positive},
+        {"forceNoise", &d.sensor.forceNoise, notNegative},
+        {"torqueNoise", &d.sensor.torqueNoise, notNegative},
+        {"forceRange", &d.sensor.forceRange, positive},
+        {"torqueRange", &d.sensor.torqueRange, positive}}},
+      {"hand",
+       {{"stiffness", &d.hand.stiffness, notNegative},
+        {"damping", &d.hand.damping, notNegative},
+        {"peakForce", &d.hand.peakForce, positive},
+        {"bandwidth", &d.hand.bandwidth, positive}}},
+      {"control",
+       {{"driftGain", &d.control.driftGain, notNegative},
+        {"jointGain", &d.control.jointGain, notNegative},
+        {"singularityDamping", &d.control.singularityDamping, positive},
+        {"singularityThreshold", &d.control.singularityThreshold, positive},
+        {"trackingErrorLimit", &d.control.trackingErrorLimit, positive}}},
+      redundancy(d.redundancy, joints),
+      safety(d.safety, joints),
+      {"home", {{"angles", JointList{&d.homeAngles, joints}}}},
+  };
+}
+
+void readSection(const TomlValues& toml, const toml::node& node, const Section& section) {
+  for (const auto& [key, value] : toml.table(node, section.name)) {
+    const auto field = std::find_if(section.fields.begin(), section.fields.end(),
+                                    [&](const auto& candidate) { return candidate.key == key.str(); });
+    if (field == section.fields.end()) {
+      std::string known;
+      for (const Field& one : section.fields) known += (known.empty() ? "" : ", ") + std::string(one.key);
+      toml.fail(key.source().begin,
+                "unknown key " + section.name + "." + shown(key) + "; remove it, or use one of " + known);
+    }
+    const std::string what = section.name + "." + std::string(field->key);
+    std::visit(Reader{toml, value, what, field->rule}, field->target);
+  }
+}
+
+}  // namespace haptiv
