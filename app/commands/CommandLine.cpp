@@ -14,6 +14,7 @@
 #include "app/commands/ReplayCommand.h"
 #include "app/commands/RunCommand.h"
 #include "app/commands/WindowCommand.h"
+#include "app/commands/device/DeviceCommand.h"
 #include "app/version.h"
 
 namespace haptiv {
@@ -53,6 +54,7 @@ int dispatch(int argc, char** argv) {
   addInfoCommand(program);
   addKinematicsCommand(program);
   addBenchCommand(program);
+  addDeviceCommand(program);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version

@@ -15,19 +15,21 @@ namespace haptiv {
 namespace {
 
 struct KinematicsOptions {
-  std::string q;  // ten joint angles [rad] with commas between
+  std::string q;  // joint angles [rad] with commas between
+  std::string description = "vishard10";
   bool json = false;
 };
 
-JointVector parseAngles(const std::string& text) {
-  const auto refuse = [&text](const std::string& why) {
-    throw CommandFailure(kWrongUsage,
-                         "--q " + text + ": " + why + "; give ten joint angles in rad with commas between, no blanks");
+JointVector parseAngles(const std::string& text, int joints) {
+  const std::string all = std::to_string(joints);
+  const auto refuse = [&](const std::string& why) {
+    throw CommandFailure(kWrongUsage, "--q " + text + ": " + why + "; give " + all +
+                                          " joint angles in rad with commas between, no blanks");
   };
-  JointVector q;
+  JointVector q = JointVector::Zero();
   const char* at = text.data();
   const char* const end = at + text.size();
-  for (int joint = 0; joint < kJointCount; ++joint) {
+  for (int joint = 0; joint < joints; ++joint) {
     const std::string which = "angle " + std::to_string(joint + 1);
     if (joint > 0 && (at == end || *at++ != ',')) refuse("there are only " + std::to_string(joint) + " angles");
     const auto [rest, error] = std::from_chars(at, end, q[joint]);
@@ -35,7 +37,7 @@ JointVector parseAngles(const std::string& text) {
     if (rest != end && *rest != ',') refuse(which + " is no number");
     at = rest;
   }
-  if (at != end) refuse("there are more than ten angles");
+  if (at != end) refuse("there are more than " + all + " angles");
   return q;
 }
 
@@ -62,8 +64,8 @@ double dexterity(const Report::Numbers& sigma) {
 }
 
 int describePose(const KinematicsOptions& options) {
-  const JointVector q = parseAngles(options.q);
-  const ArmKinematics arm(loadDeviceDescription("vishard10"));
+  const ArmKinematics arm(loadDeviceDescription(options.description));
+  const JointVector q = parseAngles(options.q, arm.jointCount());
   const Pose pose = arm.forward(q);
   const Jacobian J = arm.jacobian(q);
   const Report::Numbers translational = singularValues<3>(J.topRows<3>());
@@ -72,7 +74,7 @@ int describePose(const KinematicsOptions& options) {
   Report report;
   report.add("position_m", numbers(pose.position));
   report.add("rotation", rowsOf(pose.rotation));
-  report.add("jacobian", rowsOf(J));
+  report.add("jacobian", rowsOf(J.leftCols(arm.jointCount())));
   report.add("singular_values", singularValues<6>(J));
   report.add("singular_values_trans", translational);
   report.add("singular_values_rot", rotational);
@@ -87,9 +89,12 @@ int describePose(const KinematicsOptions& options) {
 
 void addKinematicsCommand(const Command& program) {
   const auto options = std::make_shared<KinematicsOptions>();
-  const Command kinematics = program.add("kinematics", "Pose, Jacobian and dexterity of VISHARD10",
-                                         [options] { return describePose(*options); });
-  kinematics.text("--q", options->q, "Ten joint angles in rad, with commas between").type("Q1,...,Q10").required();
+  const Command kinematics =
+      program.add("kinematics", "Pose, Jacobian and dexterity of an arm", [options] { return describePose(*options); });
+  kinematics.text("--q", options->q, "Joint angles in rad, with commas between").type("Q1,...,Q10").required();
+  kinematics.path("--description", options->description, "The arm: a built-in name, or a device description (.toml)")
+      .type("NAME|FILE")
+      .showDefault();
   kinematics.json(options->json);
 }
 

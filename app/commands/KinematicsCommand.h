@@ -4,7 +4,7 @@
 
 namespace haptiv {
 
-/// `haptiv kinematics`: pose, Jacobian and dexterity of VISHARD10 at these joint angles.
+/// `haptiv kinematics`: pose, Jacobian and dexterity of an arm at these joint angles.
 void addKinematicsCommand(const Command& program);
 
 }  // namespace haptiv

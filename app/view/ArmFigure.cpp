@@ -104,7 +104,10 @@ void ArmFigure::addLinks(int count) {
 }
 
 void ArmFigure::addJoints(int count) {
-  for (int i = 0; i < count; ++i) joints_.push_back(addSolid(castings_, tube(at(kHousingRadius, i))));
+  const ArmSkeleton zero = kinematics_.skeleton(JointVector::Zero());
+  const auto hidesBall = [&](int i) { return (zero.at[i] - zero.at[zero.count - 1]).norm() < kScaraHousing; };
+  for (int i = 0; i < count; ++i)
+    joints_.push_back(addSolid(castings_, tube(hidesBall(i) ? kTubeRadius.back() : at(kHousingRadius, i))));
 }
 
 void ArmFigure::setUp(const DevicePlacement& placement, const DeviceDescription& description) {

@@ -68,10 +68,11 @@ TEST(Layers, CoinStaysInScenegraphAndApp) {
   expectNoInclude("device", kCoin);
   expectNoInclude("haptics", kCoin);
   expectNoInclude("app/session", kCoin);
+  expectNoInclude("app/devicecheck", kCoin);
 }
 
 TEST(Layers, QtStaysInApp) {
-  for (const char* folder : {"device", "haptics", "scenegraph", "app/session"}) expectNoInclude(folder, kQt);
+  for (const char* folder : {"device", "haptics", "scenegraph", "app/session", "app/devicecheck"}) expectNoInclude(folder, kQt);
 }
 
 TEST(Layers, Hdf5StaysInTheSessionLog) {

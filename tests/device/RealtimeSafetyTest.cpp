@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "device/kinematics/Vishard10.h"
+#include "device/kinematics/ArmKinematics.h"
 #include "device/redundancy/DriftCorrection.h"
 #include "device/redundancy/JointLimiter.h"
 #include "device/redundancy/RedundancyResolution.h"
@@ -51,9 +51,12 @@ TEST(ServoPathOfTheDevice, CountsTheAllocationsThatThereAre) {
   EXPECT_GE(allocationsOf([] { Eigen::MatrixXd::Random(20, 20).eval(); }), 1);
 }
 
-TEST(ServoPathOfTheDevice, NeverAllocates) {
-  const DeviceDescription description = loadDeviceDescription("vishard10");
-  const Vishard10 arm(description.links);
+class ServoPathOfTheArm : public testing::TestWithParam<const char*> {};
+
+TEST_P(ServoPathOfTheArm, NeverAllocates) {
+  DeviceDescription description = loadDeviceDescription(GetParam());
+  description.tool.position = Vector3(0.01, 0, -0.05);
+  const ArmKinematics arm(description);
   SimulatedDevice device(description, description.homeAngles,
                          std::make_unique<ScriptedHand>(std::vector<HandWaypoint>{{0.01, {0.4, 0, 0}}}), 1);
   device.start(1e-3);
@@ -65,7 +68,7 @@ TEST(ServoPathOfTheDevice, NeverAllocates) {
     for (int i = 0; i < 100; ++i) {
       const DeviceReading reading = device.read();
       const JointVector q = description.jointAngles(reading);
-      Vector6 twist = driftCorrection(desired, arm.forward(q), description.control.driftGain);
+      Vector6 twist = driftCorrection(desired, arm.evaluate(q).X_BT, description.control.driftGain);
       twist.head<3>() += 1e-3 * description.handleWrench(reading).force;
       const ResolutionChoice choice{kStrategies[i % 4], kSolutions[i / 4 % 2]};
       command.jointRates = resolution.rates(choice, q, arm.jacobian(q), twist, 1e-3);
@@ -73,10 +76,12 @@ TEST(ServoPathOfTheDevice, NeverAllocates) {
       device.write(command);
       resolution.rates(choice, q, Jacobian::Zero(), twist, 1e-3);
       arm.inverse(desired.position, q);
+      arm.skeleton(q);
     }
   });
   EXPECT_EQ(count, 0);
 }
+INSTANTIATE_TEST_SUITE_P(BuiltIn, ServoPathOfTheArm, testing::Values("vishard10", "anthropomorphic7"));
 
 #endif
 

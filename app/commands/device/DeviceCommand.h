@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/commands/Command.h"
+
+namespace haptiv {
+
+/// `haptiv device`: the commands about devices.
+void addDeviceCommand(const Command& program);
+
+}  // namespace haptiv
