@@ -9,8 +9,8 @@
 namespace haptiv {
 namespace {
 
-constexpr double kTouch = 1e-7;       ///< of the radius. At this height over an edge the normal is off by 4.5e-4
-constexpr double kSameNormal = 6e-4;  ///< so these are one
+constexpr double kTouch = 1e-7;       ///< of the radius. Twice as high over an edge the normal is off by 6.4e-4:
+constexpr double kSameNormal = 1e-3;  ///< so these are one
 constexpr double kGraze = 1e-3;       ///< and this is no obstacle
 
 /// Takes a touch into the list, or in the place of one of the same normal that is farther.

@@ -1,6 +1,8 @@
 #include "haptics/contact/Proxy.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include "haptics/contact/MeshTouch.h"
@@ -33,6 +35,28 @@ double stride(const MeshNeighbourhood& meshes, const Vector3& from, double lengt
   return known > kStride * radius ? std::min(length, 0.999 * known) : length;
 }
 
+/// The place next to the goal, to rounding: HalfSpaces' own may be a little beyond a plane, where the proxy would hang.
+/// On from there plane by plane (Hildreth's row-action method).
+Vector3 exactPlace(const ProxyPlanes& planes, const Vector3& nearest) noexcept {
+  constexpr int kRounds = 100;
+  constexpr double kSettled = 1e-9;  // of the whole way
+  if (planes.count < 2) return nearest;
+  std::array<double, 2 * ContactSet::kMaxContacts> share = planes.share;
+  Vector3 place = nearest;
+  for (int round = 0; round < kRounds; ++round) {
+    double moved = 0, whole = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(planes.count); ++i) {
+      const double next = std::max(0.0, share[i] + planes.offset[i] - planes.normal[i].dot(place));
+      place += (next - share[i]) * planes.normal[i];
+      moved += std::abs(next - share[i]);
+      whole += next;
+      share[i] = next;
+    }
+    if (!(moved > kSettled * whole)) break;
+  }
+  return place;
+}
+
 /// Without meshes there is nothing to meet on the way.
 void slideAlongWalls(const ProxyPlanes& walls, const Vector3& goal, Proxy& proxy) noexcept {
   copyPlanes(walls, proxy.planes);
@@ -61,7 +85,7 @@ void slide(const HapticScene& scene, const MeshNeighbourhood& meshes, const Prox
     findTouched(scene, meshes, proxy.position, radius, proxy.touching);
     copyPlanes(walls, proxy.planes);
     addPlanes(proxy.planes, proxy.touching, proxy.position, radius);
-    const Vector3 target = proxy.planes.nearest(goal);
+    const Vector3 target = exactPlace(proxy.planes, proxy.planes.nearest(goal));
     const Vector3 step = target - proxy.position;
     const double length = step.norm();
     const bool isHeld = holds(proxy.planes);
@@ -71,6 +95,7 @@ void slide(const HapticScene& scene, const MeshNeighbourhood& meshes, const Prox
     const double gone = freeLength(meshes, proxy.position, step / length, ahead, radius);
     proxy.position = gone == length ? target : Vector3(proxy.position + gone / length * step);
     if (isHeld) proxy.way -= gone;
+    if (!(gone > 0)) break;  // in a corner so sharp that its planes do not settle
   }
 }
 

@@ -27,12 +27,6 @@ class Checker {
     error(std::string(field) + " is " + numberText(v[0]) + " " + numberText(v[1]) + " " + numberText(v[2]) +
           ": write three finite numbers, in m");
   }
-  void notFeltYet(const char* field, double value) {
-    if (value > 0) {
-      faults.push_back({Diagnostic::Severity::warning, std::string(field) + " is " + numberText(value) +
-                                                           ", which is not felt yet: write 0 to make the file say so"});
-    }
-  }
   void error(std::string message) { faults.push_back({Diagnostic::Severity::error, std::move(message)}); }
 
   std::vector<FieldFault> faults;
@@ -44,9 +38,6 @@ void check(Checker& checker, const SoHapticSurface& surface) {
   checker.notNegative("hysteresis", surface.hysteresis.getValue(), " m");
   checker.notNegative("staticFriction", surface.staticFriction.getValue(), "");
   checker.notNegative("dynamicFriction", surface.dynamicFriction.getValue(), "");
-  checker.notFeltYet("hysteresis", surface.hysteresis.getValue());
-  checker.notFeltYet("staticFriction", surface.staticFriction.getValue());
-  checker.notFeltYet("dynamicFriction", surface.dynamicFriction.getValue());
 }
 
 void check(Checker& checker, const SoHapticSpringZone& zone) {

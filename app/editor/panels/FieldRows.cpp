@@ -34,7 +34,7 @@ QVector<FieldRow> surfaceRows() {
           enabled(),
           stiffness("How much force a centimetre of depth gives: F = k d", 100),
           damping("Brakes the hand only while it moves in"),
-          length("hysteresis", "Hysteresis", "How much deeper the hand must have been for the force to be at full", 0,
+          length("hysteresis", "Hysteresis", "How much shallower the wall feels on the way out", 0,
                  0.01),
           {Kind::number,
            "staticFriction",

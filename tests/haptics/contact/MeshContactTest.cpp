@@ -179,6 +179,28 @@ TEST(MeshContact, HoldsTheBallInACornerOfAMeshAndAnExactWall) {
   EXPECT_NEAR(force.x(), -2000 * (0.54 - 0.4875 - 0.0001), 1);
 }
 
+TEST(MeshContact, DoesNotHangInAGroove) {
+  for (const double slope : {0.15, 0.5, 1.0, 1.35}) {
+    const double c = std::cos(slope), s = std::sin(slope);
+    Soup soup;
+    for (int i = -10; i < 10; ++i) {
+      const Vector3 a(0, 0.05 * i, 0), b(0, 0.05 * (i + 1), 0), out(c, 0, s), mirrored(-c, 0, s);
+      soup.addQuad(a, a + out, b + out, b);
+      soup.addQuad(a, b, b + mirrored, a + mirrored);
+    }
+    const HapticScene scene = sceneOf({meshWall(soup)});
+    ContactSet contacts;
+    for (int tick = 0; tick < 2000; ++tick) {
+      const Vector3 p(0.002, 1e-4 * std::max(0, tick - 500) - 0.1, 0.05 - 0.0002 * std::min(tick, 400));
+      const Vector3 force = renderWalls(scene, {p, kRest, 0.01}, contacts);
+      // An inner edge ahead may still turn a normal by a little more than what counts as none.
+      EXPECT_NEAR(force.y(), 0, 2e-3 * force.norm()) << tick;
+      EXPECT_NEAR(contacts.surfacePosition.y(), p.y(), 2e-3 * 0.01) << tick;
+    }
+    EXPECT_EQ(contacts.count, 2);
+  }
+}
+
 TEST(MeshContact, IsTheSameAtAnyScale) {
   RandomShapes random(7);
   const Soup soup = boxSoup(kRest, 0.05 * Matrix3::Identity(), 3);
