@@ -79,7 +79,7 @@ void HapticTick::feel(const HapticScene& scene, TickState& state, TickRecord& re
   const Vector3 raw = walls + renderZones(scene, tool, zones);
   record.environmentForce = state.fade.apply(scene, raw, period_);
   record.zones = zones;
-  record.contacts = state.contacts.count;
+  record.contacts = state.contacts.walls();
   if (const Contact* contact = deepest(state.contacts)) {
     record.penetration = contact->depth;
     record.deepestWall = contact->wall;

@@ -66,7 +66,12 @@ void carry(T& to, const T& before, const T& after) {
   if (before != after) to = after;
 }
 
+bool isSame(const TriangleMesh* a, const TriangleMesh* b) {
+  return a == b || (a && b && a->vertices == b->vertices && a->triangles == b->triangles);
+}
+
 void carry(Shape& to, const Shape& before, const Shape& after) {
+  if (!isSame(before.mesh.get(), after.mesh.get())) to.mesh = after.mesh;
   carry(to.kind, before.kind, after.kind);
   carry(to.centre, before.centre, after.centre);
   carry(to.axes, before.axes, after.axes);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "haptics/HapticScene.h"
@@ -38,6 +39,15 @@ struct ContactSet {
   Vector3 surfacePosition = Vector3::Zero();  ///< the proxy: the ball's centre as the walls allow it, p_WT [m]
   Vector3 toolPosition = Vector3::Zero();     ///< p_WT [m]
   Vector3 frictionOffset = Vector3::Zero();   ///< from there to where the proxy was to go, in W [m]
+
+  /// How many walls are touched: a mesh may be so in several places.
+  int walls() const noexcept {
+    int found = 0;
+    for (const Contact* each = begin(); each != end(); ++each) {
+      found += std::none_of(begin(), each, [&](const Contact& other) { return other.wall == each->wall; }) ? 1 : 0;
+    }
+    return found;
+  }
 
   Contact* begin() noexcept { return contact.data(); }
   Contact* end() noexcept { return contact.data() + count; }
