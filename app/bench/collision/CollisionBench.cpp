@@ -3,6 +3,7 @@
 
 #include "app/bench/Benches.h"
 #include "app/bench/collision/FlatScan.h"
+#include "app/bench/collision/MeshBench.h"
 #include "app/bench/collision/WallFloor.h"
 
 namespace haptiv {
@@ -77,6 +78,7 @@ void benchCollision(BenchRun& run) {
       benchFloor(run, walls, scale, suffix);
     }
   }
+  benchMesh(run);
 }
 
 }  // namespace haptiv

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
+#include "app/bench/collision/Dice.h"
 #include "haptics/ShapeDistance.h"
 
 namespace haptiv {
@@ -12,15 +12,6 @@ namespace {
 
 constexpr std::uint32_t kRidgeEvery = 8;
 constexpr double kPeriod = 1e-3;  // [s] a tick
-
-/// Evenly spread over [0, 1): the same numbers with every library.
-class Dice {
- public:
-  double operator()() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-
- private:
-  std::mt19937_64 engine_{20};
-};
 
 /// 0 to 1 with no jerk at the ends.
 double smooth(double t) {

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/bench/BenchRun.h"
+
+namespace haptiv {
+
+/// A ball slides over a sphere of a million triangles; the exact sphere says what it should feel. Part of the collision
+/// bench.
+void benchMesh(BenchRun& run);
+
+}  // namespace haptiv
