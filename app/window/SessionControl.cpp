@@ -1,6 +1,7 @@
 #include "app/window/SessionControl.h"
 
-#include <QDateTime>
+#include <QApplication>
+#include <QElapsedTimer>
 #include <QTimer>
 #include <exception>
 
@@ -8,6 +9,12 @@
 #include "app/window/LogFolder.h"
 
 namespace haptiv {
+namespace {
+
+constexpr int kSlowText = 8;        // [ms], half a graphics frame
+constexpr int kPauseForText = 300;  // [ms] without an edit
+
+}  // namespace
 
 struct SessionControl::Parts {
   explicit Parts(SceneDocument& document_) : document(document_) {}
@@ -20,8 +27,28 @@ struct SessionControl::Parts {
   std::optional<ResolutionChoice> resolution;
   QString logPath;
   QString toldTrouble;
-  std::string text;  // of the scene as it was when the last command had been done
+  std::string text;         // of the scene as it was when the last command had been done
+  bool isTextSlow = false;  // to be written: what is edited is felt before it is
+  QTimer textPause;
   QTimer display;
+
+  void takeText() {
+    QElapsedTimer timer;
+    timer.start();
+    text = document.text();
+    isTextSlow = timer.elapsed() > kSlowText;
+    textPause.stop();
+  }
+
+  void publish() {
+    if (session && !hasErrors(document.compiled().diagnostics)) session->publish(document.compiled().scene, text);
+  }
+
+  /// Gives the log the text of the scene that is felt already, as that of a new version.
+  void takeLateText() {
+    takeText();
+    document.noteChange();
+  }
 
   SessionSetup setup() {
     SessionSetup setup;
@@ -46,14 +73,23 @@ SessionControl::SessionControl(SceneDocument& document, QObject* parent)
     const QString trouble = QString::fromStdString(parts_->session->logTrouble());
     if (trouble != parts_->toldTrouble) emit troubled(parts_->toldTrouble = trouble);
   });
-  // The text is taken only where a command is complete: while a handle is dragged, many scenes share one.
+  // The text is taken only where a command is complete: while a handle is dragged, many scenes share one. That of a
+  // scene with large meshes takes its time; it is taken when the user pauses.
+  parts_->textPause.setSingleShot(true);
+  parts_->textPause.setInterval(kPauseForText);
   connect(&document.undoStack(), &QUndoStack::indexChanged, this, [this] {
-    if (isRunning()) parts_->text = parts_->document.text();
+    if (!isRunning()) return;
+    if (parts_->isTextSlow) {
+      parts_->textPause.start();
+    } else {
+      parts_->takeText();
+    }
   });
-  connect(&document, &SceneDocument::sceneCompiled, this, [this] {
-    if (isRunning() && !hasErrors(parts_->document.compiled().diagnostics))
-      parts_->session->publish(parts_->document.compiled().scene, parts_->text);
+  connect(&parts_->textPause, &QTimer::timeout, this, [this] {
+    if (QApplication::mouseButtons() != Qt::NoButton) return parts_->textPause.start();  // a handle may be held
+    if (isRunning()) parts_->takeLateText();
   });
+  connect(&document, &SceneDocument::sceneCompiled, this, [this] { parts_->publish(); });
 }
 
 SessionControl::~SessionControl() = default;
@@ -97,7 +133,7 @@ void SessionControl::start() {
     return;
   }
   try {
-    parts_->text = parts_->document.text();
+    parts_->takeText();
     parts_->logPath = newLogPath(parts_->document.path());
     parts_->session = std::make_unique<Session>(parts_->setup());
     parts_->scheduling = parts_->session->scheduling();
@@ -112,6 +148,11 @@ void SessionControl::start() {
 
 void SessionControl::stop() {
   if (!isRunning()) return;
+  if (parts_->textPause.isActive()) {
+    parts_->takeLateText();
+    parts_->document.compileNow();
+    parts_->publish();
+  }
   parts_->display.stop();
   const SessionSummary summary = parts_->session->stop();
   parts_->session.reset();

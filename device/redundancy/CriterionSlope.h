@@ -13,6 +13,11 @@ namespace haptiv {
 /// a factor of m^(1/8) at most, and by less than 1e-5 where all values are apart by a factor of two.
 enum class Corners { sharp, rounded };
 
+/// kappa grows without bound towards a singular pose, and its gradient with kappa^2. Beyond this kappa the gradient
+/// falls again, in proportion to the smallest singular value: as if kappa went on as (3 - sm^2 / s^2) / 2 times this,
+/// with s the sm at which it is reached. Steps of a tick stay short of overshooting, and nothing is made of rounding.
+inline constexpr double kSteepestCondition = 20;
+
 /// kappa, and of which singular values it is made: d ln kappa = sum (top_i - bottom_i) ds_i / s_i.
 template <int Rows>
 struct Condition {
@@ -54,14 +59,15 @@ double criterionValue(Strategy strategy, const Eigen::Matrix<double, Rows, 1>& s
 ///
 /// With df/ds_i = f_i and ds_i = u_i^T dA v_i, df/dA = sum f_i u_i v_i^T, and v_i^T = u_i^T A / s_i; so
 /// K = U diag(f_i / s_i) U^T, and no right singular vector is needed. Where the pose is singular, s_1 /
-/// kLargestCondition stands for what is less: finite everywhere.
+/// kLargestCondition stands for what is less, and for kappa s_1 / kSteepestCondition: finite everywhere.
 template <int Rows>
 Eigen::Matrix<double, Rows, Rows> criterionSlope(Strategy strategy, const BlockEigen<Rows>& block,
                                                  Corners corners) noexcept {
   using Values = Eigen::Array<double, Rows, 1>;
   const double largest = block.sigma[0];
   if (!(largest > 0)) return Eigen::Matrix<double, Rows, Rows>::Zero();
-  const Values s = block.sigma.array().max(largest / kLargestCondition);
+  const double least = largest / (strategy == Strategy::cond ? kSteepestCondition : kLargestCondition);
+  const Values s = block.sigma.array().max(least);
   const Condition<Rows> condition(s, corners);
   const Values kappaSlope = condition.top - condition.bottom;  // s d ln kappa / ds
   const double volume = kUnitBall<Rows> * s.prod();

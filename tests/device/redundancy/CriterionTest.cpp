@@ -134,6 +134,8 @@ int holdAgainstDifferences(const Block& block, const std::function<JointVector(t
     for (const Corners corners : {Corners::sharp, Corners::rounded}) {
       if (!isSmooth(block.sigma(q), corners)) continue;
       for (const Strategy strategy : {Strategy::nonopt, Strategy::man, Strategy::dir, Strategy::cond}) {
+        const Eigen::VectorXd sigma = block.sigma(q);
+        if (strategy == Strategy::cond && sigma[0] > 0.99 * kSteepestCondition * sigma[sigma.size() - 1]) continue;
         const JointVector gradient = block.gradient(strategy, q, corners);
         for (const int k : block.joints) {
           const JointVector step = kStep * JointVector::Unit(k);
@@ -179,6 +181,25 @@ TEST(CriterionGradient, OfThePartitionedBlocksIsWhatCentralDifferencesSay) {
     EXPECT_GT(holdAgainstDifferences(planar(squaredWeights), scara), 50);
     EXPECT_GT(holdAgainstDifferences(wrist(squaredWeights), handle), 50);
   }
+}
+
+/// From a pose with kappa 20 to a singular one: less and less, without a step.
+TEST(CriterionGradient, OfTheConditionNumberVanishesTowardsASingularPose) {
+  double before = -1;
+  for (double smallest = 0.06; smallest > 0; smallest -= 1e-4) {
+    const Vector3 squares(1, 0.3, smallest * smallest);
+    const BlockEigen<3> eigen(Matrix3(squares.asDiagonal()));
+    // How fast kappa falls with its smallest singular value: K times that value.
+    const double slope = -smallest * criterionSlope<3>(Strategy::cond, eigen, Corners::sharp)(2, 2);
+    if (before >= 0) {
+      EXPECT_LT(std::abs(slope - before), 4);  // 400 at its steepest
+      if (smallest < 0.0499) {
+        EXPECT_LT(slope, before);
+      }
+    }
+    before = slope;
+  }
+  EXPECT_LT(before, 1);
 }
 
 TEST(CriterionGradient, IsFiniteAtSingularPoses) {
