@@ -91,6 +91,17 @@ TEST_F(Run, TheStrategyIsToldLoggedAndResimulated) {
   EXPECT_EQ(runHaptiv({"replay", log, "--verify"}).code, 0);
 }
 
+TEST_F(Run, AnotherArmIsResolvedInFullOnly) {
+  const std::string seven = folder.write(
+      "seven.iv",
+      "#Inventor V2.1 ascii\nHapticDevice { description \"anthropomorphic7\" }\nHapticTool { home 0.4 0 0 }\n");
+  const Ended full = runHaptiv({"run", seven, "--fast", "--seconds", "0.1", "--strategy", "dir", "--json"});
+  EXPECT_EQ(full.code, 0) << full.err;
+  const Ended partitioned = runHaptiv({"run", seven, "--fast", "--seconds", "0.1", "--solution", "partitioned"});
+  EXPECT_EQ(partitioned.code, 3);
+  EXPECT_THAT(partitioned.err, HasSubstr("no partitioned solution"));
+}
+
 TEST_F(Run, TwoFastRunsGiveTheSameData) {
   for (const std::string name : {"a", "b"}) {
     ASSERT_EQ(run({"--fast", "--log", folder / (name + ".h5")}).code, 0);
