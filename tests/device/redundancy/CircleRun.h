@@ -25,16 +25,9 @@ inline JointVector circleStart(const LinkLengths& links, double r) {
   return q;
 }
 
-/// VISHARD10, its criteria normalised at the starts of experiment 1, with weights and steps of docs/redundancy.md.
+/// VISHARD10 with its steps and weights, its criteria normalised at the starts of experiment 1.
 inline DeviceDescription circleDevice() {
-  DeviceDescription description = loadDeviceDescription("vishard10");
-  RedundancySettings& settings = description.redundancy;
-  settings.stepFull = {5, 3, 2};
-  settings.stepPartitioned = {7, 5, 2};
-  settings.rotationWeight = 2;
-  settings.normalisationPoses.clear();
-  for (const double r : kRadii) settings.normalisationPoses.push_back(circleStart(description.links, r));
-  return description;
+  return loadDeviceDescription("vishard10");
 }
 
 /// A moment of a run: what the arm is at, and the rates it gets.
