@@ -63,8 +63,9 @@ Shape shapeOf(std::shared_ptr<const TriangleMesh> mesh) {
 
 }  // namespace
 
-SceneCollector::SceneCollector(std::function<ShapeId(const SoPath&)> idOf, MeshCache& meshes, Progress progress)
-    : idOf_(std::move(idOf)), meshes_(meshes), progress_(std::move(progress)) {}
+SceneCollector::SceneCollector(std::function<ShapeId(const SoPath&)> idOf, MeshCache& meshes, Progress progress,
+                               std::size_t mostTriangles)
+    : idOf_(std::move(idOf)), meshes_(meshes), progress_(std::move(progress)), mostTriangles_(mostTriangles) {}
 
 void SceneCollector::collect(SoNode* root) {
   SoCallbackAction action;
@@ -119,7 +120,7 @@ Response SceneCollector::onShape(void* self, SoCallbackAction* action, const SoN
 void SceneCollector::onTriangle(void* self, SoCallbackAction*, const SoPrimitiveVertex* a, const SoPrimitiveVertex* b,
                                 const SoPrimitiveVertex* c) {
   auto& collector = *static_cast<SceneCollector*>(self);
-  if (!collector.open_ || collector.triangles_ > kMaxTriangles) return;
+  if (!collector.open_ || collector.triangles_ > collector.mostTriangles_) return;
   collector.open_->soup.add(a->getPoint(), b->getPoint(), c->getPoint());
   ++collector.triangles_;
   constexpr std::size_t kOften = 1 << 16;
@@ -129,7 +130,7 @@ void SceneCollector::onTriangle(void* self, SoCallbackAction*, const SoPrimitive
 Response SceneCollector::onShapeEnd(void* self, SoCallbackAction* action, const SoNode* node) {
   auto& collector = *static_cast<SceneCollector*>(self);
   if (collector.open_) collector.endMesh(node, *action);
-  return collector.triangles_ > kMaxTriangles ? SoCallbackAction::ABORT : SoCallbackAction::CONTINUE;
+  return collector.triangles_ > collector.mostTriangles_ ? SoCallbackAction::ABORT : SoCallbackAction::CONTINUE;
 }
 
 // Coin would choose by the camera, which is nothing to the hand.
@@ -194,9 +195,9 @@ void SceneCollector::endMesh(const SoNode* node, SoCallbackAction& action) {
   OpenMesh ended = std::move(*open_);
   open_.reset();
   SoComplexityElement::set(action.getState(), ended.complexityBefore);
-  if (triangles_ > kMaxTriangles) {
+  if (triangles_ > mostTriangles_) {
     say(Severity::error, node,
-        "brings what is felt beyond " + std::to_string(kMaxTriangles) +
+        "brings what is felt beyond " + std::to_string(mostTriangles_) +
             " triangles: put HapticNone { } before what need not be felt, or make the meshes coarser");
     return;
   }

@@ -27,13 +27,14 @@ class SceneCollector {
  public:
   using Progress = std::function<void(std::size_t shapes, std::size_t triangles)>;
 
+  static constexpr std::size_t kMaxTriangles = 4'000'000;  ///< felt ones: some hundred bytes each with their index
+
   /// @param idOf    gives each felt shape its id, from the nodes on the way to it
   /// @param meshes  of the compilation before; those of this one afterwards
-  SceneCollector(std::function<ShapeId(const SoPath&)> idOf, MeshCache& meshes, Progress progress = {});
+  SceneCollector(std::function<ShapeId(const SoPath&)> idOf, MeshCache& meshes, Progress progress = {},
+                 std::size_t mostTriangles = kMaxTriangles);
 
   void collect(SoNode* root);
-
-  static constexpr std::size_t kMaxTriangles = 4'000'000;  ///< felt ones: some hundred bytes each with their index
 
   HapticScene scene;        ///< without version and bounds
   SceneOrigins origins;     ///< of what is in `scene`
@@ -76,6 +77,7 @@ class SceneCollector {
   Progress progress_;
   std::optional<OpenMesh> open_;
   std::size_t triangles_ = 0;
+  std::size_t mostTriangles_;
   std::unordered_set<const SoNode*> checked_;
   std::set<std::pair<const SoNode*, std::string>> said_;
 };

@@ -7,7 +7,9 @@
 #include <gmock/gmock.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
+#include "scenegraph/compiling/SceneCollector.h"
 #include "tests/scenegraph/SceneTesting.h"
 
 namespace haptiv {
@@ -159,6 +161,35 @@ TEST(FeltByTriangles, LeavesOutWhatHasNoFaces) {
     ASSERT_TRUE(compiled.scene);
     EXPECT_TRUE(compiled.scene->walls.empty());
     EXPECT_THAT(textOf(compiled.diagnostics), HasSubstr("test.iv:3: warning")) << body;
+  }
+}
+
+TEST(FeltByTriangles, SaysWhichShapeIsTooMuch) {
+  const SceneFile scene =
+      read("HapticTool { } HapticSurface { } Array { numElements1 3 " + kFaces + "} DEF last Cube { depth 0 }");
+  for (const std::size_t most : {5u, 6u, 100u}) {
+    MeshCache meshes;
+    SceneCollector collector([](const SoPath&) { return ShapeId(1); }, meshes, {}, most);
+    collector.collect(scene.root.get());
+    EXPECT_EQ(hasErrors(collector.diagnostics), most < 100);
+    if (most < 100) {
+      EXPECT_THAT(textOf(collector.diagnostics), HasSubstr("beyond " + std::to_string(most) + " triangles"));
+    }
+    EXPECT_EQ(textOf(collector.diagnostics).find("\"last\"") != std::string::npos, most == 6);
+  }
+}
+
+TEST(FeltByTriangles, TellsHowFarALongCompilationHasCome) {
+  for (const int copies : {3, 100}) {
+    const SceneFile scene =
+        read("HapticTool { home 1000 0 0 } HapticSurface { } Array { numElements1 " + std::to_string(copies) +
+             " numElements2 " + std::to_string(copies) + " " + kFaces + "}");
+    SceneCompiler compiler;
+    std::vector<std::size_t> told;
+    compiler.setProgress([&](std::size_t shapes, std::size_t) { told.push_back(shapes); });
+    compiler.compile(scene.root.get());
+    EXPECT_EQ(told.empty(), copies < 100);
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   }
 }
 
