@@ -44,12 +44,15 @@ TEST_P(SolidModel, PressesBackWhereTheHandGoesIntoIt) {
   EXPECT_EQ(plain.code, 1);
   EXPECT_THAT(plain.err, HasSubstr("--solid"));
 
-  const Ended ended = runHaptiv({"run", file, "--solid", "--hand", hand, "--fast", "--json"});
+  const std::string log = folder / "s.h5";
+  const Ended ended = runHaptiv({"run", file, "--solid", "--hand", hand, "--fast", "--log", log, "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_GT(ended.json()["final_contact_force_N"], 1);
   EXPECT_GT(ended.json()["final_position_m"][2], below);
   EXPECT_EQ(ended.json()["faults"].size(), 0u);
   EXPECT_EQ(readFile(file), model.text) << "the file stays as it is";
+  const Ended verified = runHaptiv({"replay", log, "--verify", "--json"});
+  EXPECT_EQ(verified.code, 0) << verified.err << verified.out;
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, SolidModel,
