@@ -173,7 +173,7 @@ TEST(DeviceDescription, GivesGearsAndRatesOfThePapersDrives) {
     EXPECT_EQ(d.drives.countsPerTurn[i], 4096);
     EXPECT_GE(d.drives.gearRatio[i], 100);
     EXPECT_LE(d.drives.gearRatio[i], 160);
-    EXPECT_EQ(d.drives.rateLimit[i] * d.drives.gearRatio[i], 880);  // one motor speed, 8400 rpm
+    EXPECT_DOUBLE_EQ(d.drives.rateLimit[i] * d.drives.gearRatio[i], 880);  // one motor speed, 8400 rpm
   }
 }
 

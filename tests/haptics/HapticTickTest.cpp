@@ -16,6 +16,7 @@ using testing::kRate;
 using testing::readingOf;
 
 TEST_F(HapticTickTest, StartsAtRestWhereTheDeviceIs) {
+  scene.resolution = ResolutionChoice{Strategy::nonopt, Solution::full};  // no self-motion
   TickState state;
   const TickRecord record = tick(scene, readingOf(description, start), state);
   EXPECT_EQ(record.faults, kNoFault);

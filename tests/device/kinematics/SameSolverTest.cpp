@@ -28,7 +28,9 @@ TEST(SameSolver, MovesVishard10AndItsChainAlike) {
       const JointVector a = closedSolver.rates(choice, q, closedArm.jacobian(q), twist, 1e-3);
       const JointVector b = chainSolver.rates(choice, q, chainArm.jacobian(q), twist, 1e-3);
       EXPECT_GT(a.norm(), 0.1);
-      EXPECT_LT((a - b).norm(), 1e-12 * std::max(1., a.norm())) << nameOf(strategy);
+      // The side criteria's steps multiply the rounding of their gradients.
+      const double tolerance = strategy == Strategy::nonopt ? 1e-12 : 1e-10;
+      EXPECT_LT((a - b).norm(), tolerance * std::max(1., a.norm())) << nameOf(strategy);
     }
   }
 }
