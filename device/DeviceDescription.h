@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "device/HapticDevice.h"
+#include "device/control/ControlChoice.h"
 #include "device/kinematics/ChainGeometry.h"
 #include "device/redundancy/RedundancySettings.h"
 #include "device/types.h"
@@ -54,6 +55,7 @@ struct HandModel {
 
 /// How the host drives the joints.
 struct ControlSettings {
+  ControlChoice choice;                ///< where the operator has not chosen
   double driftGain = 50;               ///< closed-loop correction of the inverse kinematics [1/s]
   double jointGain = 60;               ///< joint controller: rate per position error [1/s]
   double singularityDamping = 0.05;    ///< largest damping mu of the pseudoinverse

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "device/safety/SafetySignals.h"
 #include "device/types.h"
 
 namespace haptiv {
@@ -9,13 +10,20 @@ namespace haptiv {
 struct DeviceReading {
   std::array<std::int32_t, kJointCount> encoderCounts{};
   std::array<std::int16_t, 6> sensorCounts{};  ///< force x y z, torque x y z of the hand on the handle, in T
+  std::uint16_t inputs = kInputDeadMan;        ///< OperatorInput bits
+  std::uint32_t trips = kNoTrip;               ///< Trip bits: why the device's safety circuit has stopped the drives
   bool connected = true;                       ///< false: the counts are the last ones known
 };
 
+/// What the set-points of a command mean.
+enum class DriveMode : std::uint8_t { rate, torque };
+
 /// What the host asks of the joints for the coming tick.
 struct DeviceCommand {
-  JointVector jointRates = JointVector::Zero();  ///< set-points of the velocity-controlled drives [rad/s]
-  bool enabled = false;                          ///< false: the drives brake and ignore the rates
+  DriveMode mode = DriveMode::rate;
+  JointVector jointRates = JointVector::Zero();    ///< set-points of velocity-controlled drives [rad/s]; mode rate
+  JointVector jointTorques = JointVector::Zero();  ///< set-points of torque-controlled drives [N m]; mode torque
+  bool enabled = false;                            ///< false: the drives brake and ignore the set-points
 };
 
 /// The one door between the servo and an arm: simulated, over USB, or replayed from a log.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "device/control/ControlChoice.h"
 #include "device/redundancy/ResolutionChoice.h"
 #include "device/types.h"
 #include "haptics/TriangleMesh.h"
@@ -84,6 +85,8 @@ struct HapticScene {
   DevicePlacement device;
   /// How the operator wants the redundancy resolved; without a choice, as the device description says. Not of the .iv.
   std::optional<ResolutionChoice> resolution;
+  /// How the operator wants the arm driven; without a choice, as the device description says. Not of the .iv.
+  std::optional<ControlChoice> control;
   std::vector<Wall> walls;
   std::vector<Zone> zones;
   ShapeIndex wallIndex;  ///< derived by computeBounds

@@ -38,7 +38,8 @@ struct HapticTick::Measured {
   JointVector angles;
   Pose X_BT;
   Vector3 p_WT;
-  Vector3 handForce;  ///< in W [N]
+  Vector3 handForce;   ///< in W [N]
+  Vector3 handTorque;  ///< in W [N m]
 };
 
 HapticTick::HapticTick(const DeviceDescription& description, double period)
@@ -54,8 +55,11 @@ HapticTick::Measured HapticTick::measure(const HapticScene& scene, const DeviceR
   measured.angles = description_.jointAngles(reading);
   measured.X_BT = arm_.forward(measured.angles);
   measured.p_WT = placeInScene(scene.device, measured.X_BT.position);
-  const Vector3 force_B = measured.X_BT.rotation * description_.handleWrench(reading).force;
+  const Wrench wrench_T = description_.handleWrench(reading);
+  const Vector3 force_B = measured.X_BT.rotation * wrench_T.force;
+  const Vector3 torque_B = measured.X_BT.rotation * wrench_T.torque;
   measured.handForce = scene.device.rotation * force_B;
+  measured.handTorque = scene.device.rotation * torque_B;
   return measured;
 }
 
@@ -105,14 +109,15 @@ void HapticTick::move(const HapticScene& scene, const Measured& measured, TickSt
 
   const JointVector error = state.desiredAngles - measured.angles;
   const JointVector command = slowed * rates + description_.control.jointGain * error;
-  record.command = {command.cwiseMin(rateLimit).cwiseMax(-rateLimit), true};
+  record.command.jointRates = command.cwiseMin(rateLimit).cwiseMax(-rateLimit);
+  record.command.enabled = true;
   state.desiredAngles += slowed * period_ * rates;
   ball.velocity = slowed * velocity;
   ball.position += period_ * ball.velocity;
 }
 
-TickRecord HapticTick::operator()(const HapticScene& scene, const DeviceReading& reading,
-                                  TickState& state) const noexcept {
+TickRecord HapticTick::operator()(const HapticScene& scene, const DeviceReading& reading, TickState& state,
+                                  std::uint32_t missedTicks) const noexcept {
   const Measured measured = measure(scene, reading);
   state.faults |= faultsOf(reading, measured, state);
   if (!state.started) {
@@ -122,6 +127,7 @@ TickRecord HapticTick::operator()(const HapticScene& scene, const DeviceReading&
     state.admittance = {measured.p_WT, Vector3::Zero()};
   }
   TickRecord record;
+  record.missedTicks = missedTicks;
   record.sceneVersion = scene.version;
   record.reading = reading;
   record.jointAngles = measured.angles;
@@ -130,6 +136,9 @@ TickRecord HapticTick::operator()(const HapticScene& scene, const DeviceReading&
   record.desiredPosition = state.admittance.position;
   record.desiredVelocity = state.admittance.velocity;
   record.handForce = measured.handForce;
+  record.handTorque = measured.handTorque;
+  state.session = state.faults == kNoFault ? SessionState::running : SessionState::fault;
+  record.state = state.session;
   if (state.faults == kNoFault) {
     TickState next = state;
     TickRecord moved = record;
@@ -140,6 +149,7 @@ TickRecord HapticTick::operator()(const HapticScene& scene, const DeviceReading&
       return moved;
     }
     state.faults |= kFaultNotFinite;
+    state.session = record.state = SessionState::fault;
   }
   state.admittance.velocity.setZero();
   state.fade.felt.setZero();

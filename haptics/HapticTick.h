@@ -24,6 +24,7 @@ struct TickState {
   ContactSet contacts;
   SceneFade fade;
   ResolutionBlend resolution;
+  SessionState session = SessionState::idle;
   std::uint32_t faults = kNoFault;
 };
 
@@ -42,7 +43,9 @@ class HapticTick {
   HapticTick(const DeviceDescription& description, double period);
 
   /// Realtime-safe: yes.  Thread: servo.  Errors: none; faults latch in the state and brake the arm.
-  TickRecord operator()(const HapticScene& scene, const DeviceReading& reading, TickState& state) const noexcept;
+  /// @param missedTicks  grid points that the servo has skipped so far; they may be a fault
+  TickRecord operator()(const HapticScene& scene, const DeviceReading& reading, TickState& state,
+                        std::uint32_t missedTicks = 0) const noexcept;
 
  private:
   struct Measured;

@@ -8,12 +8,14 @@ namespace haptiv {
 namespace {
 
 constexpr std::string_view kMagic = "HAPTSCN1";
-constexpr std::uint32_t kFormat = 3;  // 2 added the choice of a resolution; 3 meshes and rubber bands
+constexpr std::uint32_t kFormat =
+    4;  // 2 added the choice of a resolution; 3 meshes and rubber bands; 4 how the arm is driven
 constexpr std::uint8_t kAsDescribed = 255;
 constexpr std::size_t kShapeSize = 1 + 12 * 8;
 constexpr std::size_t kWallSize = 4 + kShapeSize + 5 * 8;
 constexpr std::size_t kZoneSize = 4 + 1 + kShapeSize + 6 * 8;
 constexpr std::uint32_t kFirstWithMeshes = 3;
+constexpr std::uint32_t kFirstWithControl = 4;
 constexpr std::uint32_t kNoMesh = 0xffffffffU;
 
 void write(ByteWriter& out, const Wall& wall) {
@@ -58,6 +60,34 @@ std::optional<ResolutionChoice> readResolution(ByteReader& in) {
   return ResolutionChoice{static_cast<Strategy>(strategy), static_cast<Solution>(solution)};
 }
 
+void write(ByteWriter& out, const std::optional<ControlChoice>& choice) {
+  out.u8(choice ? static_cast<std::uint8_t>(choice->display) : kAsDescribed);
+  if (!choice) return;
+  out.u8(static_cast<std::uint8_t>(choice->joints));
+  out.u8(static_cast<std::uint8_t>(choice->orientation));
+  out.u8(choice->passivity ? 1 : 0);
+}
+
+/// An enumerator whose last one is `last`.
+template <typename Choice>
+Choice readChoice(ByteReader& in, Choice last, const std::string& what) {
+  const std::uint8_t number = in.u8();
+  if (number > static_cast<std::uint8_t>(last)) in.fail("unknown " + what);
+  return static_cast<Choice>(number);
+}
+
+std::optional<ControlChoice> readControl(ByteReader& in) {
+  const std::uint8_t display = in.u8();
+  if (display == kAsDescribed) return {};
+  if (display > static_cast<std::uint8_t>(DisplayMode::impedance)) in.fail("unknown mode of display");
+  ControlChoice choice;
+  choice.display = static_cast<DisplayMode>(display);
+  choice.joints = readChoice(in, JointController::computedTorque, "joint controller");
+  choice.orientation = readChoice(in, OrientationMode::free, "mode of orientation");
+  choice.passivity = in.u8() != 0;
+  return choice;
+}
+
 std::uint32_t readHead(ByteReader& in, HapticScene& scene) {
   if (in.left() < kMagic.size() || in.text(kMagic.size()) != kMagic) in.fail("this is no compiled scene");
   const std::uint32_t format = in.u32();
@@ -75,6 +105,7 @@ std::uint32_t readHead(ByteReader& in, HapticScene& scene) {
   scene.device.scale = in.positive("the device's scale");
   // Programs of format 1 knew the least-norm solution alone.
   scene.resolution = format == 1 ? ResolutionChoice{} : readResolution(in);
+  if (format >= kFirstWithControl) scene.control = readControl(in);
   return format;
 }
 
@@ -138,6 +169,7 @@ void writeHead(ByteWriter& out, const HapticScene& scene) {
   out.matrix(scene.device.rotation);
   out.f64(scene.device.scale);
   write(out, scene.resolution);
+  write(out, scene.control);
 }
 
 }  // namespace

@@ -64,12 +64,11 @@ void ServoLoop::run() noexcept {
   for (TickGrid grid(start, rate_); running_; missed += grid.advance(monotonicNow())) {
     sleepUntil(grid.deadline());
     const std::int64_t woke = monotonicNow();
-    TickRecord record = serveTick(device_, tick_, newestScene, state);
+    TickRecord record = serveTick(device_, tick_, newestScene, state, missed);
     record.tick = grid.index();
     record.time = woke - start;
     record.wakeLateness = shortDuration(woke - grid.deadline());
     record.computeTime = shortDuration(monotonicNow() - woke);
-    record.missedTicks = missed;
     seams_.log.push(record);
     seams_.display.write(record);
   }

@@ -16,6 +16,14 @@ enum Fault : std::uint32_t {
   kFaultDisconnected = 1u << 3,     ///< the device does not answer
 };
 
+/// Where a session stands: what the arm may do.
+enum class SessionState : std::uint8_t {
+  idle,     ///< nothing has been read yet
+  ready,    ///< the arm brakes; it moves once the operator presses the dead-man
+  running,  ///< the scene is felt
+  fault,    ///< the arm brakes until the operator resets
+};
+
 /// Names of the faults that stand, comma separated; "none" where there are none.
 const char* faultName(Fault fault) noexcept;
 
@@ -37,12 +45,16 @@ struct TickRecord {
   Vector3 desiredPosition = Vector3::Zero();        ///< p_WT of the admittance [m]
   Vector3 desiredVelocity = Vector3::Zero();        ///< [m/s]
   Vector3 handForce = Vector3::Zero();              ///< of the hand on the ball, in W [N]
+  Vector3 handTorque = Vector3::Zero();             ///< of the hand about the ball's centre, in W [N m]
   Vector3 environmentForce = Vector3::Zero();       ///< of the scene on the ball, in W [N]
   double penetration = 0;                           ///< deepest contact [m]
   std::int32_t contacts = 0;                        ///< walls touched
   std::int32_t zones = 0;                           ///< zones the ball is in
   std::int32_t deepestWall = -1;                    ///< index into HapticScene::walls, -1: none
-  std::uint32_t faults = kNoFault;                  ///< latched
+  SessionState state = SessionState::idle;
+  std::uint32_t faults = kNoFault;  ///< latched
+  double passivityEnergy = 0;       ///< taken in at the tool so far, by the observer [J]
+  double passivityDamping = 0;      ///< that the passivity controller adds [N s/m]
   // What went out.
   DeviceCommand command;
 };

@@ -25,12 +25,11 @@ const HapticScene& sceneOf(const TickRecord& tick, const std::vector<LoggedScene
 
 TickRecord again(const HapticTick& tick, const TickRecord& logged, const std::vector<LoggedScene>& scenes,
                  TickState& state) {
-  TickRecord record = tick(sceneOf(logged, scenes), logged.reading, state);
+  TickRecord record = tick(sceneOf(logged, scenes), logged.reading, state, logged.missedTicks);
   record.tick = logged.tick;
   record.time = logged.time;
   record.wakeLateness = logged.wakeLateness;
   record.computeTime = logged.computeTime;
-  record.missedTicks = logged.missedTicks;
   return record;
 }
 

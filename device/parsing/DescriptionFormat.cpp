@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "device/control/ControlNames.h"
 #include "device/redundancy/ResolutionNames.h"
 
 namespace haptiv {
@@ -31,6 +32,19 @@ Section safety(SafetyThresholds& safety, int joints) {
            {"countThreshold", JointList{&safety.countThreshold, joints}, positive},
            {"forceClamp", &safety.forceClamp, positive},
            {"speedClamp", &safety.speedClamp, positive}}};
+}
+
+Section control(ControlSettings& control) {
+  return {"control",
+          {{"display", &control.choice.display},
+           {"joints", &control.choice.joints},
+           {"orientation", &control.choice.orientation},
+           {"passivity", &control.choice.passivity},
+           {"driftGain", &control.driftGain, notNegative},
+           {"jointGain", &control.jointGain, notNegative},
+           {"singularityDamping", &control.singularityDamping, positive},
+           {"singularityThreshold", &control.singularityThreshold, positive},
+           {"trackingErrorLimit", &control.trackingErrorLimit, positive}}};
 }
 
 Section redundancy(RedundancySettings& redundancy, int joints) {
@@ -63,6 +77,13 @@ struct Reader {
   void operator()(bool* value) const { *value = toml.truth(node, what); }
   void operator()(std::string* value) const { *value = toml.text(node, what); }
   void operator()(Strategy* value) const { *value = kStrategies[toml.choice(node, what, namesOf(kStrategies))]; }
+  void operator()(DisplayMode* value) const { *value = kDisplayModes[toml.choice(node, what, namesOf(kDisplayModes))]; }
+  void operator()(JointController* value) const {
+    *value = kJointControllers[toml.choice(node, what, namesOf(kJointControllers))];
+  }
+  void operator()(OrientationMode* value) const {
+    *value = kOrientationModes[toml.choice(node, what, namesOf(kOrientationModes))];
+  }
   void operator()(Solution* value) const { *value = kSolutions[toml.choice(node, what, namesOf(kSolutions))]; }
   void operator()(StepLengths* steps) const {
     readSection(
@@ -123,12 +144,7 @@ std::vector<Section> sectionsOf(DeviceDescription& d, int joints) {
         {"damping", &d.hand.damping, notNegative},
         {"peakForce", &d.hand.peakForce, positive},
         {"bandwidth", &d.hand.bandwidth, positive}}},
-      {"control",
-       {{"driftGain", &d.control.driftGain, notNegative},
-        {"jointGain", &d.control.jointGain, notNegative},
-        {"singularityDamping", &d.control.singularityDamping, positive},
-        {"singularityThreshold", &d.control.singularityThreshold, positive},
-        {"trackingErrorLimit", &d.control.trackingErrorLimit, positive}}},
+      control(d.control),
       redundancy(d.redundancy, joints),
       safety(d.safety, joints),
       {"home", {{"angles", JointList{&d.homeAngles, joints}}}},

@@ -27,8 +27,8 @@ struct RollPitchYaw {
 struct Direction {
   Vector3* unit;
 };
-using Target = std::variant<double*, bool*, std::string*, Strategy*, Solution*, StepLengths*, Vector3*, RollPitchYaw,
-                            Direction, JointList, PoseList>;
+using Target = std::variant<double*, bool*, std::string*, Strategy*, Solution*, DisplayMode*, JointController*,
+                            OrientationMode*, StepLengths*, Vector3*, RollPitchYaw, Direction, JointList, PoseList>;
 
 /// A key of the file.
 struct Field {

@@ -14,7 +14,7 @@
 namespace haptiv::log_layout {
 
 inline constexpr const char* kFormat = "haptiv-session";
-inline constexpr std::uint64_t kFormatVersion = 1;
+inline constexpr std::uint64_t kFormatVersion = 2;
 
 inline constexpr const char* kDeviceText = "/meta/device_toml";
 inline constexpr const char* kSceneName = "/meta/scene_name";

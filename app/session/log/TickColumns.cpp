@@ -48,7 +48,7 @@ void addVector(TickGroup& group, const std::string& name, const std::string& uni
     const auto field = [ vector, i ](auto& record) -> auto& {
       return vector(record)[i];
     };
-    const std::string suffix = unit == "m/s" ? "m_per_s" : unit;
+    const std::string suffix = unit == "m/s" ? "m_per_s" : unit == "N m" ? "N_m" : unit;
     group.columns.push_back(column<double>(name + "_" + "xyz"[i] + "_" + suffix, unit, kResult, field));
   }
 }
@@ -104,6 +104,12 @@ TickGroup jointsGroup() {
     group.columns.push_back(
         column<double>("command_joint" + std::to_string(i + 1) + "_rad_per_s", "rad/s", kResult, field));
   }
+  for (int i = 0; i < kJointCount; ++i) {
+    const auto field = [i](auto& r) -> auto& {
+      return r.command.jointTorques[i];
+    };
+    group.columns.push_back(column<double>("command_joint" + std::to_string(i + 1) + "_N_m", "N m", kResult, field));
+  }
   return group;
 }
 
@@ -118,6 +124,8 @@ TickGroup toolGroup() {
   addVector(
       group, "hand_force", "N", [](auto& r) -> auto& { return r.handForce; });
   addVector(
+      group, "hand_torque", "N m", [](auto& r) -> auto& { return r.handTorque; });
+  addVector(
       group, "environment_force", "N", [](auto& r) -> auto& { return r.environmentForce; });
   return group;
 }
@@ -130,6 +138,16 @@ TickGroup contactGroup() {
               "penetration_m", "m", kResult, [](auto& r) -> auto& { return r.penetration; })}};
 }
 
+TickGroup passivityGroup() {
+  return {"passivity",
+          "",
+          Cell::float64,
+          {column<double>(
+               "energy_J", "J", kResult, [](auto& r) -> auto& { return r.passivityEnergy; }),
+           column<double>(
+               "added_damping_N_s_per_m", "N s/m", kResult, [](auto& r) -> auto& { return r.passivityDamping; })}};
+}
+
 TickGroup stateGroup() {
   using Number = std::int64_t;
   return {"state",
@@ -140,6 +158,10 @@ TickGroup stateGroup() {
            column<Number>(
                "connected", "1", kInput, [](auto& r) -> auto& { return r.reading.connected; }),
            column<Number>(
+               "inputs", "1", kInput, [](auto& r) -> auto& { return r.reading.inputs; }),
+           column<Number>(
+               "trips", "1", kInput, [](auto& r) -> auto& { return r.reading.trips; }),
+           column<Number>(
                "contacts", "1", kResult, [](auto& r) -> auto& { return r.contacts; }),
            column<Number>(
                "zones", "1", kResult, [](auto& r) -> auto& { return r.zones; }),
@@ -148,13 +170,18 @@ TickGroup stateGroup() {
            column<Number>(
                "faults", "1", kResult, [](auto& r) -> auto& { return r.faults; }),
            column<Number>(
+               "session_state", "1", kResult, [](auto& r) -> auto& { return r.state; }),
+           column<Number>(
+               "drive_mode", "1", kResult, [](auto& r) -> auto& { return r.command.mode; }),
+           column<Number>(
                "enabled", "1", kResult, [](auto& r) -> auto& { return r.command.enabled; })}};
 }
 
 }  // namespace
 
 std::vector<TickGroup> tickGroups() {
-  return {timeGroup(), rawGroup(), sensorGroup(), jointsGroup(), toolGroup(), contactGroup(), stateGroup()};
+  return {timeGroup(), rawGroup(),     sensorGroup(),    jointsGroup(),
+          toolGroup(), contactGroup(), passivityGroup(), stateGroup()};
 }
 
 }  // namespace haptiv
