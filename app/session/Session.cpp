@@ -43,6 +43,7 @@ struct Session::Parts {
         device(simulatedDevice(setup, handFor(setup, hand))),
         loop(*device, setup.description, setup.rate, seams) {
     seams.scene.write(scene);
+    moveHand();
     scheduling = loop.start();
     std::unique_ptr<SessionLogWriter> writer;
     if (setup.log) {
@@ -55,6 +56,13 @@ struct Session::Parts {
     recorder = std::make_unique<SessionRecorder>(seams.log, std::move(writer));
   }
 
+  void moveHand() {
+    HandTarget target;
+    if (wanted) target = {true, placeInBase(scene->device, *wanted)};
+    target.inputs = static_cast<std::uint16_t>(pressed | (wanted ? kInputDeadMan : 0));
+    hand->write(target);
+  }
+
   void publishNewest() {
     recorder->addScene(scene, text);
     seams.scene.write(scene);
@@ -63,6 +71,8 @@ struct Session::Parts {
   std::shared_ptr<const HapticScene> scene;  // newest that was published
   std::string text;                          // its own
   DeviceDescription description;
+  std::optional<Vector3> wanted;  // p_WH of the live hand
+  std::uint16_t pressed = 0;      // by the live operator
   std::shared_ptr<LiveHand::Seam> hand = std::make_shared<LiveHand::Seam>();
   std::unique_ptr<SimulatedDevice> device;
   ServoSeams seams;
@@ -111,9 +121,13 @@ void Session::chooseResolution(const ResolutionChoice& choice) {
 }
 
 void Session::moveHand(const std::optional<Vector3>& p_WH) {
-  HandTarget target;
-  if (p_WH) target = {true, placeInBase(parts_->scene->device, *p_WH)};
-  parts_->hand->write(target);
+  parts_->wanted = p_WH;
+  parts_->moveHand();
+}
+
+void Session::press(std::uint16_t inputs) {
+  parts_->pressed = inputs;
+  parts_->moveHand();
 }
 
 bool Session::newest(TickRecord& record) {

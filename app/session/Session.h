@@ -54,8 +54,10 @@ class Session {
   /// Resolves the redundancy in this way from the next tick on, and logs it: a new version of the same scene.
   /// Throws std::runtime_error where the arm cannot be resolved so; what was chosen before stays.
   void chooseResolution(const ResolutionChoice& choice);
-  /// Where the live hand wants the ball, in W; nothing: it lets go.
+  /// Where the live hand wants the ball, in W; nothing: it lets go. A hand on the handle presses its dead-man's button.
   void moveHand(const std::optional<Vector3>& p_WH);
+  /// What else the operator of the live hand presses: OperatorInput bits.
+  void press(std::uint16_t inputs);
   /// The newest tick, for the display; true if there was a new one since the last call.
   bool newest(TickRecord& record);
   const Scheduling& scheduling() const;

@@ -1,13 +1,15 @@
 #pragma once
 
+#include "device/safety/SafetySignals.h"
 #include "device/types.h"
 
 namespace haptiv {
 
-/// Where the operator's hand wants the handle to be.
+/// What the operator does: where the hand wants the handle to be, and what is pressed.
 struct HandTarget {
-  bool holding = false;                ///< false: the hand has let go, no force
-  Vector3 position = Vector3::Zero();  ///< p_BH [m]
+  bool holding = false;                  ///< false: the hand has let go, no force
+  Vector3 position = Vector3::Zero();    ///< p_BH [m]
+  std::uint16_t inputs = kInputDeadMan;  ///< OperatorInput bits
 };
 
 /// Says what the hand wants at each tick. Implementations: ScriptedHand, LiveHand.

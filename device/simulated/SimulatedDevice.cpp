@@ -93,6 +93,7 @@ struct SimulatedDevice::Parts {
 void SimulatedDevice::Parts::begin() {
   motion = Motion(description, startAngles, seed);
   ticks = 0;
+  reading.inputs = 0;  // a dead-man that is held before the start starts nothing
   measure();
 }
 
@@ -102,6 +103,7 @@ void SimulatedDevice::Parts::advance(const DeviceCommand& command) noexcept {
   const int steps = static_cast<int>(std::ceil(period / kLongestStep));
   for (int i = 0; i < steps; ++i) step(setPoints, target, period / steps);
   ++ticks;
+  reading.inputs = target.inputs;
   measure();
 }
 
