@@ -1,9 +1,6 @@
 #include "haptics/HapticTick.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <limits>
 
 #include "device/redundancy/DriftCorrection.h"
 #include "device/redundancy/JointLimiter.h"
@@ -13,12 +10,6 @@
 
 namespace haptiv {
 namespace {
-
-/// The sensor's count at the end of its range; the count itself ends at 16 bits.
-std::int32_t lastCount(double range, double resolution) {
-  constexpr double kLargest = std::numeric_limits<std::int16_t>::max();
-  return static_cast<std::int32_t>(std::min(std::floor(range / resolution), kLargest));
-}
 
 bool isFinite(const TickState& state, const TickRecord& record) noexcept {
   return state.admittance.position.allFinite() && state.admittance.velocity.allFinite() &&
@@ -32,49 +23,40 @@ const Contact* deepest(const ContactSet& contacts) noexcept {
   return found == end ? nullptr : &*found;
 }
 
+/// All of the record that is there before anything moves.
+TickRecord recordOf(const HapticScene& scene, const DeviceReading& reading, const Measured& measured,
+                    const TickState& state) noexcept {
+  TickRecord record;
+  record.sceneVersion = scene.version;
+  record.reading = reading;
+  record.jointAngles = measured.angles;
+  record.desiredAngles = state.desiredAngles;
+  record.position = measured.p_WT;
+  record.desiredPosition = state.admittance.position;
+  record.desiredVelocity = state.admittance.velocity;
+  record.handForce = measured.handForce;
+  record.handTorque = measured.handTorque;
+  record.state = state.session;
+  return record;
+}
+
+/// The virtual mass at rest where the arm is.
+void startAt(const Measured& measured, TickState& state) noexcept {
+  state.started = true;
+  state.desiredAngles = measured.angles;
+  state.heldRotation = measured.arm.X_BT.rotation;
+  state.admittance = {measured.p_WT, Vector3::Zero()};
+}
+
 }  // namespace
 
-struct HapticTick::Measured {
-  JointVector angles;
-  Pose X_BT;
-  Vector3 p_WT;
-  Vector3 handForce;   ///< in W [N]
-  Vector3 handTorque;  ///< in W [N m]
-};
-
 HapticTick::HapticTick(const DeviceDescription& description, double period)
-    : description_(description), arm_(description), resolution_(description), period_(period) {
-  const HandleSensor& sensor = description.sensor;
-  const std::int32_t force = lastCount(sensor.forceRange, sensor.forceResolution);
-  const std::int32_t torque = lastCount(sensor.torqueRange, sensor.torqueResolution);
-  saturation_ = {force, force, force, torque, torque, torque};
-}
-
-HapticTick::Measured HapticTick::measure(const HapticScene& scene, const DeviceReading& reading) const noexcept {
-  Measured measured;
-  measured.angles = description_.jointAngles(reading);
-  measured.X_BT = arm_.forward(measured.angles);
-  measured.p_WT = placeInScene(scene.device, measured.X_BT.position);
-  const Wrench wrench_T = description_.handleWrench(reading);
-  const Vector3 force_B = measured.X_BT.rotation * wrench_T.force;
-  const Vector3 torque_B = measured.X_BT.rotation * wrench_T.torque;
-  measured.handForce = scene.device.rotation * force_B;
-  measured.handTorque = scene.device.rotation * torque_B;
-  return measured;
-}
-
-std::uint32_t HapticTick::faultsOf(const DeviceReading& reading, const Measured& measured,
-                                   const TickState& state) const noexcept {
-  std::uint32_t faults = kNoFault;
-  if (!reading.connected) faults |= kFaultDisconnected;
-  for (std::size_t i = 0; i < saturation_.size(); ++i) {
-    if (std::abs(std::int32_t{reading.sensorCounts[i]}) >= saturation_[i]) faults |= kFaultSensorSaturated;
-  }
-  if (!measured.p_WT.allFinite() || !measured.handForce.allFinite()) faults |= kFaultNotFinite;
-  const double error = (state.desiredAngles - measured.angles).cwiseAbs().maxCoeff();
-  if (state.started && !(error <= description_.control.trackingErrorLimit)) faults |= kFaultTracking;
-  return faults;
-}
+    : description_(description),
+      period_(period),
+      measure_(description, period),
+      monitors_(description),
+      arm_(description),
+      resolution_(description) {}
 
 void HapticTick::feel(const HapticScene& scene, TickState& state, TickRecord& record) const noexcept {
   const ToolMotion tool{state.admittance.position, state.admittance.velocity, scene.tool.radius};
@@ -118,27 +100,12 @@ void HapticTick::move(const HapticScene& scene, const Measured& measured, TickSt
 
 TickRecord HapticTick::operator()(const HapticScene& scene, const DeviceReading& reading, TickState& state,
                                   std::uint32_t missedTicks) const noexcept {
-  const Measured measured = measure(scene, reading);
-  state.faults |= faultsOf(reading, measured, state);
-  if (!state.started) {
-    state.started = true;
-    state.desiredAngles = measured.angles;
-    state.heldRotation = measured.X_BT.rotation;
-    state.admittance = {measured.p_WT, Vector3::Zero()};
-  }
-  TickRecord record;
-  record.missedTicks = missedTicks;
-  record.sceneVersion = scene.version;
-  record.reading = reading;
-  record.jointAngles = measured.angles;
-  record.desiredAngles = state.desiredAngles;
-  record.position = measured.p_WT;
-  record.desiredPosition = state.admittance.position;
-  record.desiredVelocity = state.admittance.velocity;
-  record.handForce = measured.handForce;
-  record.handTorque = measured.handTorque;
+  const Measured measured = measure_(scene.device, reading, state.measuring);
+  state.faults |= monitors_(reading, measured, state.started ? &state.desiredAngles : nullptr);
+  if (!state.started) startAt(measured, state);
   state.session = state.faults == kNoFault ? SessionState::running : SessionState::fault;
-  record.state = state.session;
+  TickRecord record = recordOf(scene, reading, measured, state);
+  record.missedTicks = missedTicks;
   if (state.faults == kNoFault) {
     TickState next = state;
     TickRecord moved = record;

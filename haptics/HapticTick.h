@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "device/DeviceDescription.h"
@@ -9,15 +8,18 @@
 #include "haptics/Admittance.h"
 #include "haptics/HapticScene.h"
 #include "haptics/IfThenRenderer.h"
+#include "haptics/Measured.h"
 #include "haptics/ResolutionBlend.h"
 #include "haptics/SceneFade.h"
 #include "haptics/TickRecord.h"
+#include "haptics/safety/Monitors.h"
 
 namespace haptiv {
 
 /// All that one tick leaves for the next.
 struct TickState {
   bool started = false;
+  MeasuringState measuring;
   AdmittanceState admittance;
   Matrix3 heldRotation = Matrix3::Identity();  ///< R_BT at the start, held ever after
   JointVector desiredAngles = JointVector::Zero();
@@ -48,19 +50,17 @@ class HapticTick {
                         std::uint32_t missedTicks = 0) const noexcept;
 
  private:
-  struct Measured;
-  Measured measure(const HapticScene& scene, const DeviceReading& reading) const noexcept;
-  std::uint32_t faultsOf(const DeviceReading& reading, const Measured& measured, const TickState& state) const noexcept;
   /// The scene's force on the ball, into the record.
   void feel(const HapticScene& scene, TickState& state, TickRecord& record) const noexcept;
   /// Admittance, redundancy resolution, limiter and joint controller: the state goes one period on.
   void move(const HapticScene& scene, const Measured& measured, TickState& state, TickRecord& record) const noexcept;
 
   DeviceDescription description_;
+  double period_;
+  Measuring measure_;
+  Monitors monitors_;
   ArmKinematics arm_;
   RedundancyResolution resolution_;
-  double period_;
-  std::array<std::int32_t, 6> saturation_{};  ///< sensor counts at the end of the range
 };
 
 }  // namespace haptiv

@@ -4,28 +4,10 @@
 
 #include "device/HapticDevice.h"
 #include "device/types.h"
+#include "haptics/safety/Faults.h"
+#include "haptics/safety/SessionStates.h"
 
 namespace haptiv {
-
-/// What makes a session stop; bits, so that several can stand.
-enum Fault : std::uint32_t {
-  kNoFault = 0,
-  kFaultNotFinite = 1u << 0,        ///< a value of the tick was NaN or infinite
-  kFaultTracking = 1u << 1,         ///< a joint is too far from where it was sent
-  kFaultSensorSaturated = 1u << 2,  ///< the handle's sensor is at the end of its range
-  kFaultDisconnected = 1u << 3,     ///< the device does not answer
-};
-
-/// Where a session stands: what the arm may do.
-enum class SessionState : std::uint8_t {
-  idle,     ///< nothing has been read yet
-  ready,    ///< the arm brakes; it moves once the operator presses the dead-man
-  running,  ///< the scene is felt
-  fault,    ///< the arm brakes until the operator resets
-};
-
-/// Names of the faults that stand, comma separated; "none" where there are none.
-const char* faultName(Fault fault) noexcept;
 
 /// Everything of one tick: input, state and output. Trivially copyable: goes into the log's ring and to the display.
 struct TickRecord {

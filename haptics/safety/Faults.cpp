@@ -1,4 +1,4 @@
-#include "haptics/TickRecord.h"
+#include "haptics/safety/Faults.h"
 
 #include <array>
 
