@@ -5,6 +5,7 @@
 
 #include "device/HapticDevice.h"
 #include "device/control/ControlChoice.h"
+#include "device/dynamics/ArmBodies.h"
 #include "device/kinematics/ChainGeometry.h"
 #include "device/redundancy/RedundancySettings.h"
 #include "device/types.h"
@@ -26,7 +27,7 @@ struct JointDrives {
   JointVector countsPerTurn = JointVector::Constant(4096);  ///< encoder counts per motor turn
   JointVector rateLimit = JointVector::Constant(6.28);      ///< [rad/s]
   JointVector torqueLimit = JointVector::Constant(60);      ///< [N m]
-  JointVector inertia = JointVector::Constant(1);           ///< seen at the joint [kg m^2]
+  JointVector inertia = JointVector::Constant(1);           ///< of the rotors, behind their gears [kg m^2]
   JointVector bandwidth = JointVector::Constant(400);       ///< of the drive's velocity loop [rad/s]
   JointVector viscousFriction = JointVector::Zero();        ///< at the joint [N m s/rad]
   JointVector coulombFriction = JointVector::Zero();        ///< at the joint [N m]
@@ -83,6 +84,7 @@ struct DeviceDescription {
   LinkLengths links;    ///< of VISHARD10
   ChainGeometry chain;  ///< of any other arm; without joints the arm is a VISHARD10
   Pose tool;            ///< X_CT: the tool, in the frame of the wrist centre
+  ArmBodies bodies;     ///< of the links; empty where they are not known
   JointDrives drives;
   HandleSensor sensor;
   HandModel hand;

@@ -107,6 +107,11 @@ struct Reader {
     if (length == 0) toml.fail(node, what + " has no direction; write one, such as [0, 0, 1]");
     *target.unit = (direction / length).normalized();
   }
+  void operator()(const Inertia& target) const {
+    Vector6 v;
+    toml.numbers(node, what, any, "entry", {v.data(), 6});
+    *target.tensor << v[0], v[3], v[4], v[3], v[1], v[5], v[4], v[5], v[2];
+  }
   void operator()(const JointList& list) const {
     toml.numbers(node, what, rule, "joint", {list.values->data(), static_cast<std::size_t>(list.joints)});
   }

@@ -27,8 +27,13 @@ struct RollPitchYaw {
 struct Direction {
   Vector3* unit;
 };
-using Target = std::variant<double*, bool*, std::string*, Strategy*, Solution*, DisplayMode*, JointController*,
-                            OrientationMode*, StepLengths*, Vector3*, RollPitchYaw, Direction, JointList, PoseList>;
+/// A tensor of inertia: xx, yy, zz, xy, xz, yz.
+struct Inertia {
+  Matrix3* tensor;
+};
+using Target =
+    std::variant<double*, bool*, std::string*, Strategy*, Solution*, DisplayMode*, JointController*, OrientationMode*,
+                 StepLengths*, Vector3*, RollPitchYaw, Direction, Inertia, JointList, PoseList>;
 
 /// A key of the file.
 struct Field {
@@ -43,7 +48,7 @@ struct Section {
   std::vector<Field> fields;
 };
 
-/// The whole format but for schema, name and the chain, for an arm of so many joints.
+/// The whole format but for schema, name, the chain and the bodies, for an arm of so many joints.
 std::vector<Section> sectionsOf(DeviceDescription& description, int joints);
 
 /// Reads one table of the file. Throws as TomlValues does; unknown keys are refused.

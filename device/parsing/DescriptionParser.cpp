@@ -4,6 +4,7 @@
 
 #include "device/DeviceDescription.h"
 #include "device/parsing/ArmChecks.h"
+#include "device/parsing/BodiesFormat.h"
 #include "device/parsing/ChainFormat.h"
 #include "device/parsing/DescriptionFormat.h"
 #include "device/parsing/NestingGuard.h"
@@ -31,9 +32,10 @@ void readArm(const TomlValues& toml, const toml::table& root, DeviceDescription&
 void read(const TomlValues& toml, const toml::table& root, DeviceDescription& d) {
   checkSchema(toml, root);
   readArm(toml, root, d);
+  if (const toml::node* bodies = root.get("bodies")) d.bodies = readBodies(toml, *bodies, d.jointCount());
   const auto sections = sectionsOf(d, d.jointCount());
   for (const auto& [key, node] : root) {
-    if (key == "schema" || key == "chain") continue;
+    if (key == "schema" || key == "chain" || key == "bodies") continue;
     if (key == "name") {
       d.name = toml.text(node, "name");
       continue;
@@ -44,7 +46,7 @@ void read(const TomlValues& toml, const toml::table& root, DeviceDescription& d)
       std::string known;
       for (const Section& one : sections) known += ", " + one.name;
       toml.fail(key.source().begin,
-                "unknown key " + shown(key) + "; remove it, or use one of schema, name, chain" + known);
+                "unknown key " + shown(key) + "; remove it, or use one of schema, name, chain, bodies" + known);
     }
     readSection(toml, node, *section);
   }

@@ -4,19 +4,16 @@
 #include <numbers>
 
 #include "device/DeviceDescription.h"
+#include "device/kinematics/ChainOfArm.h"
 #include "tests/support/Random.h"
 
 namespace haptiv::test {
 
 /// VISHARD10 as a chain of its links, B's origin at the height of joint 6; links 5 and 8 included.
 inline ChainGeometry vishard10Chain(const LinkLengths& links) {
-  const Vector3 x = Vector3::UnitX(), z = Vector3::UnitZ();
-  const Vector3 axes[] = {z, z, z, z, z, x, x, x, z, x};
-  const Vector3 moves[] = {Vector3::Zero(),   links.scara * x, links.scara * x, links.scara * x,    links.scara * x,
-                           links.forearm * x, links.lift * z,  links.lift * z,  -links.forearm * x, Vector3::Zero()};
-  ChainGeometry chain;
-  for (int i = 0; i < kJointCount; ++i) chain.joints.push_back({{moves[i], Matrix3::Identity()}, axes[i]});
-  return chain;
+  DeviceDescription description;
+  description.links = links;
+  return chainOfArm(description);
 }
 
 inline Pose randomPose(Random& random) {

@@ -6,6 +6,7 @@
 
 #include "device/kinematics/ArmKinematics.h"
 #include "tests/device/kinematics/Chains.h"
+#include "tests/device/kinematics/ToKdl.h"
 #include "tests/support/Random.h"
 
 // Orocos KDL, an implementation of other people, sees the same arms.
@@ -16,29 +17,10 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kRounding = 1e-12;  // a few hundred roundings of quantities near one
 
-KDL::Vector toKdl(const Vector3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-KDL::Frame toKdl(const Pose& pose) {
-  const Matrix3& R = pose.rotation;
-  return {KDL::Rotation(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)),
-          toKdl(pose.position)};
-}
-
-KDL::Chain toKdl(const ChainGeometry& geometry, const Pose& tool) {
-  KDL::Chain chain;
-  for (const ChainJoint& joint : geometry.joints) {
-    chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), toKdl(joint.mount)));
-    chain.addSegment(KDL::Segment(KDL::Joint(KDL::Vector::Zero(), toKdl(joint.axis), KDL::Joint::RotAxis)));
-  }
-  chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), toKdl(geometry.end) * toKdl(tool)));
-  return chain;
-}
-
 /// Pose and Jacobian of the arm against those of the same arm in KDL, over random joint angles.
 void expectSameAsKdl(const DeviceDescription& description, const ChainGeometry& geometry) {
   const ArmKinematics arm(description);
-  KDL::Chain chain = toKdl(geometry, description.tool);
+  KDL::Chain chain = test::toKdl(geometry, description.tool);
   KDL::ChainFkSolverPos_recursive forward(chain);
   KDL::ChainJntToJacSolver jacobian(chain);
   KDL::JntArray angles(chain.getNrOfJoints());
