@@ -15,9 +15,19 @@ if(HAPTIV_SANITIZE)
   target_link_options(haptiv_options INTERFACE -fsanitize=${HAPTIV_SANITIZE})
 endif()
 
+# haptiv_unity(TARGET): its sources are compiled eight at a time, as most of a compiler's time goes to the headers they
+# share. What stands in an anonymous namespace is then seen by the next file too.
+function(haptiv_unity target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  target_compile_options(${target} PRIVATE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endfunction()
+
 # haptiv_library(NAME SOURCES ... LINK ...): one static library per folder.
 function(haptiv_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
+  if(HAPTIV_UNITY)
+    haptiv_unity(${name})
+  endif()
   target_link_libraries(${name} PUBLIC haptiv_options ${ARG_LINK})
 endfunction()

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "device/kinematics/ArmKinematics.h"
+#include "scenegraph/ToEigen.h"
 #include "scenegraph/judging/ContactDynamics.h"
 #include "scenegraph/nodes/SoHapticDevice.h"
 #include "scenegraph/nodes/SoHapticSurface.h"
@@ -22,10 +23,6 @@ constexpr double kClearance = 1.5;  // of the ball's middle from the model's box
 constexpr double kFeltMass = 2;     // [kg]
 constexpr double kFeltDamping = 5;  // in free motion [N s/m]
 constexpr double kOfBandwidth = 4;  // the wall's natural frequency is this part of the drives'
-
-Vector3 toEigen(const SbVec3f& v) {
-  return Vector3(v[0], v[1], v[2]);
-}
 
 SbVec3f toCoin(const Vector3& v) {
   const Eigen::Vector3f f = v.cast<float>();

@@ -8,8 +8,8 @@
 namespace haptiv {
 namespace {
 
-constexpr std::size_t kBlock = 8192;     // [ticks] brought to the disk at a time
-constexpr double kLongestSession = 1e9;  // [ticks]
+constexpr std::size_t kTicksToDisk = 8192;  // [ticks] brought to the disk at a time
+constexpr double kLongestSession = 1e9;     // [ticks]
 
 }  // namespace
 
@@ -30,7 +30,7 @@ SessionSummary runFast(const SessionSetup& setup, double seconds) {
     summary.take(record);
     if (!log) return true;
     block.push_back(record);
-    if (block.size() == kBlock) {
+    if (block.size() == kTicksToDisk) {
       log->append(block);
       block.clear();
     }

@@ -10,8 +10,6 @@
 namespace haptiv {
 namespace {
 
-constexpr std::uint64_t kBlock = 4096;  // [ticks] in memory at a time
-
 const HapticScene& sceneOf(const TickRecord& tick, const std::vector<LoggedScene>& scenes) {
   const auto found =
       std::lower_bound(scenes.begin(), scenes.end(), tick.sceneVersion,
@@ -62,8 +60,8 @@ void resimulate(const SessionLog& log, const std::vector<LoggedScene>& scenes, c
   const DeviceDescription description = parseDeviceDescription(log.header().deviceText, "the log's device description");
   const HapticTick tick(description, 1 / log.header().rate);
   TickState state;
-  for (std::uint64_t first = 0; first < log.tickCount(); first += kBlock)
-    for (const TickRecord& logged : log.ticks(first, kBlock))
+  for (std::uint64_t first = 0; first < log.tickCount(); first += SessionLog::kBlock)
+    for (const TickRecord& logged : log.ticks(first, SessionLog::kBlock))
       if (!sink(logged, again(tick, logged, scenes, state))) return;
 }
 

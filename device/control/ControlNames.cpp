@@ -1,16 +1,8 @@
 #include "device/control/ControlNames.h"
 
+#include "device/NamedOption.h"
+
 namespace haptiv {
-namespace {
-
-template <typename Options>
-auto named(const Options& options, std::string_view name) -> std::optional<typename Options::value_type> {
-  for (const auto option : options)
-    if (nameOf(option) == name) return option;
-  return std::nullopt;
-}
-
-}  // namespace
 
 std::string nameOf(DisplayMode mode) {
   switch (mode) {
@@ -33,15 +25,15 @@ std::string nameOf(OrientationMode mode) {
 }
 
 std::optional<DisplayMode> displayModeNamed(std::string_view name) {
-  return named(kDisplayModes, name);
+  return optionNamed(kDisplayModes, name);
 }
 
 std::optional<JointController> jointControllerNamed(std::string_view name) {
-  return named(kJointControllers, name);
+  return optionNamed(kJointControllers, name);
 }
 
 std::optional<OrientationMode> orientationModeNamed(std::string_view name) {
-  return named(kOrientationModes, name);
+  return optionNamed(kOrientationModes, name);
 }
 
 }  // namespace haptiv

@@ -1,16 +1,8 @@
 #include "device/redundancy/ResolutionNames.h"
 
+#include "device/NamedOption.h"
+
 namespace haptiv {
-namespace {
-
-template <typename Options>
-auto named(const Options& options, std::string_view name) -> std::optional<typename Options::value_type> {
-  for (const auto option : options)
-    if (nameOf(option) == name) return option;
-  return std::nullopt;
-}
-
-}  // namespace
 
 std::string nameOf(Strategy strategy) {
   switch (strategy) {
@@ -31,11 +23,11 @@ std::string nameOf(Solution solution) {
 }
 
 std::optional<Strategy> strategyNamed(std::string_view name) {
-  return named(kStrategies, name);
+  return optionNamed(kStrategies, name);
 }
 
 std::optional<Solution> solutionNamed(std::string_view name) {
-  return named(kSolutions, name);
+  return optionNamed(kSolutions, name);
 }
 
 }  // namespace haptiv

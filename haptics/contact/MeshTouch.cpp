@@ -14,7 +14,7 @@ constexpr double kSameNormal = 1e-3;  ///< so these are one
 constexpr double kGraze = 1e-3;       ///< and this is no obstacle
 
 /// Takes a touch into the list, or in the place of one of the same normal that is farther.
-void take(NearSurfaces& list, const NearSurface& touch) noexcept {
+void takeTouch(NearSurfaces& list, const NearSurface& touch) noexcept {
   std::size_t slot = list.count;
   for (std::size_t i = 0; i < list.count; ++i) {
     const NearSurface& other = list.surface[i];
@@ -44,7 +44,7 @@ void findTouched(const HapticScene& scene, const MeshNeighbourhood& meshes, cons
     const double distance = away.norm();
     const Vector3 normal =
         distance > kTouch * radius ? Vector3(away / distance) : faceNormal(*scene.walls[wall].shape.mesh, triangle);
-    take(touched, {static_cast<std::int32_t>(wall), static_cast<int>(triangle), distance, normal});
+    takeTouch(touched, {static_cast<std::int32_t>(wall), static_cast<int>(triangle), distance, normal});
   });
 }
 

@@ -19,7 +19,7 @@ bool makeRoom(NearSurfaces& near, const NearSurface& found) noexcept {
 }
 
 /// The same ones in whatever order they are found.
-void take(NearSurfaces& near, const NearSurface& found) noexcept {
+void takeNear(NearSurfaces& near, const NearSurface& found) noexcept {
   if (near.count == NearSurfaces::kMost && !makeRoom(near, found)) return;
   std::size_t at = near.count++;
   for (; at > 0 && near.surface[at - 1].wall > found.wall; --at) near.surface[at] = near.surface[at - 1];
@@ -33,7 +33,7 @@ void findWallsAround(const HapticScene& scene, const Vector3& place, double radi
   const auto isExact = [](const Shape& shape) { return shape.kind != Shape::Kind::mesh; };
   forEachNear(scene.walls, scene.wallIndex, place, 2 * radius, isExact,
               [&](std::size_t wall, const SurfacePoint& surface) {
-                take(near, {static_cast<std::int32_t>(wall), surface.face, surface.distance, surface.normal});
+                takeNear(near, {static_cast<std::int32_t>(wall), surface.face, surface.distance, surface.normal});
               });
 }
 

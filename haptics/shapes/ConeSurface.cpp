@@ -8,7 +8,7 @@
 namespace haptiv {
 namespace {
 
-enum Face { kSide, kBase };
+enum ConeFace { kConeSide, kConeBase };
 
 /// The slant line from the apex down to the rim, in the half plane (radial, along).
 struct Slant {
@@ -23,12 +23,12 @@ struct Slant {
 };
 
 SurfacePoint onBase(const AxialPoint& point) noexcept {
-  return {-point.along - point.halfHeight, -point.axis, kBase};
+  return {-point.along - point.halfHeight, -point.axis, kConeBase};
 }
 
 SurfacePoint onSide(const AxialPoint& point, const Slant& slant) noexcept {
   const double distance = -slant.along * point.radial + slant.radial * (point.along - point.halfHeight);
-  return {distance, point.direction(-slant.along, slant.radial), kSide};
+  return {distance, point.direction(-slant.along, slant.radial), kConeSide};
 }
 
 /// From the point (radial, along) of the surface to the ball, for a point outside.
@@ -45,7 +45,7 @@ SurfacePoint from(const AxialPoint& point, double radial, double along, const Su
 
 SurfacePoint onConeFace(const Shape& shape, const Vector3& p_W, int face) noexcept {
   const AxialPoint point = axialPoint(shape, p_W);
-  return face == kBase ? onBase(point) : onSide(point, Slant(point));
+  return face == kConeBase ? onBase(point) : onSide(point, Slant(point));
 }
 
 SurfacePoint nearestOnCone(const Shape& shape, const Vector3& p_W) noexcept {

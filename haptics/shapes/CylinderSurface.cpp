@@ -7,24 +7,24 @@
 namespace haptiv {
 namespace {
 
-enum Face { kSide, kTop, kBottom };
+enum CylinderFace { kRound, kTop, kBottom };
 
-SurfacePoint onFace(const AxialPoint& point, int face) noexcept {
+SurfacePoint onThatFace(const AxialPoint& point, int face) noexcept {
   if (face == kTop) return {point.along - point.halfHeight, point.axis, kTop};
   if (face == kBottom) return {-point.along - point.halfHeight, -point.axis, kBottom};
-  return {point.radial - point.radius, point.outward, kSide};
+  return {point.radial - point.radius, point.outward, kRound};
 }
 
 }  // namespace
 
 SurfacePoint onCylinderFace(const Shape& shape, const Vector3& p_W, int face) noexcept {
-  return onFace(axialPoint(shape, p_W), face);
+  return onThatFace(axialPoint(shape, p_W), face);
 }
 
 SurfacePoint nearestOnCylinder(const Shape& shape, const Vector3& p_W) noexcept {
   const AxialPoint point = axialPoint(shape, p_W);
-  const SurfacePoint side = onFace(point, kSide);
-  const SurfacePoint cap = onFace(point, point.along < 0 ? kBottom : kTop);
+  const SurfacePoint side = onThatFace(point, kRound);
+  const SurfacePoint cap = onThatFace(point, point.along < 0 ? kBottom : kTop);
   const SurfacePoint& nearer = side.distance >= cap.distance ? side : cap;
   if (side.distance <= 0 || cap.distance <= 0) return nearer;
   // Beyond the side and beyond the cap: the rim is nearest.

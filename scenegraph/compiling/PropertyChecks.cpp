@@ -12,7 +12,7 @@
 namespace haptiv {
 namespace {
 
-class Checker {
+class PropertyChecker {
  public:
   void notNegative(const char* field, double value, const char* unit) {
     if (value >= 0 && std::isfinite(value)) return;
@@ -32,7 +32,7 @@ class Checker {
   std::vector<FieldFault> faults;
 };
 
-void check(Checker& checker, const SoHapticSurface& surface) {
+void check(PropertyChecker& checker, const SoHapticSurface& surface) {
   checker.notNegative("stiffness", surface.stiffness.getValue(), " N/m");
   checker.notNegative("damping", surface.damping.getValue(), " N s/m");
   checker.notNegative("hysteresis", surface.hysteresis.getValue(), " m");
@@ -40,20 +40,20 @@ void check(Checker& checker, const SoHapticSurface& surface) {
   checker.notNegative("dynamicFriction", surface.dynamicFriction.getValue(), "");
 }
 
-void check(Checker& checker, const SoHapticSpringZone& zone) {
+void check(PropertyChecker& checker, const SoHapticSpringZone& zone) {
   checker.notNegative("stiffness", zone.stiffness.getValue(), " N/m");
   checker.notNegative("restLength", zone.restLength.getValue(), " m");
   checker.finite("anchor", zone.anchor.getValue());
 }
 
-void check(Checker& checker, const SoHapticTool& tool) {
+void check(PropertyChecker& checker, const SoHapticTool& tool) {
   checker.positive("mass", tool.mass.getValue(), " kg");
   checker.notNegative("damping", tool.damping.getValue(), " N s/m");
   checker.positive("radius", tool.radius.getValue(), " m");
   checker.finite("home", tool.home.getValue());
 }
 
-void check(Checker& checker, const SoHapticDevice& device) {
+void check(PropertyChecker& checker, const SoHapticDevice& device) {
   if (device.description.getValue().getLength() == 0) {
     checker.error("description is empty: write the name of a device, such as \"vishard10\"");
   }
@@ -68,7 +68,7 @@ void check(Checker& checker, const SoHapticDevice& device) {
 }  // namespace
 
 std::vector<FieldFault> checkFields(const SoNode* node) {
-  Checker checker;
+  PropertyChecker checker;
   if (const auto* surface = dynamic_cast<const SoHapticSurface*>(node)) check(checker, *surface);
   if (const auto* spring = dynamic_cast<const SoHapticSpringZone*>(node)) check(checker, *spring);
   if (const auto* tool = dynamic_cast<const SoHapticTool*>(node)) check(checker, *tool);

@@ -12,9 +12,8 @@
 #include <Inventor/nodes/SoText3.h>
 #include <Inventor/nodes/SoVertexShape.h>
 
-#include <Eigen/Geometry>
-
 #include "scenegraph/Keyword.h"
+#include "scenegraph/ToEigen.h"
 #include "scenegraph/compiling/PropertyChecks.h"
 #include "scenegraph/compiling/ShapeConversion.h"
 #include "scenegraph/nodes/SoHapticDevice.h"
@@ -30,15 +29,6 @@ namespace {
 
 using Severity = Diagnostic::Severity;
 using Response = SoCallbackAction::Response;
-
-Vector3 toEigen(const SbVec3f& v) {
-  return Vector3(v[0], v[1], v[2]);
-}
-
-Matrix3 toEigen(const SbRotation& rotation) {
-  const float* q = rotation.getValue();  // x, y, z, w
-  return Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized().toRotationMatrix();
-}
 
 SurfaceProperties propertiesOf(const SoHapticSurface& node) {
   return {node.stiffness.getValue(), node.damping.getValue(), node.hysteresis.getValue(),

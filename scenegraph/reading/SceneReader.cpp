@@ -26,8 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 using Severity = Diagnostic::Severity;
 
-constexpr std::size_t kMaxDepth = 16;       // files within files
-constexpr std::size_t kMaxIncluded = 1000;  // files
+constexpr std::size_t kMostNestedFiles = 16;  // files within files
+constexpr std::size_t kMaxIncluded = 1000;    // files
 
 void say(SceneFile& scene, Severity severity, std::string message, int line = 0) {
   scene.diagnostics.push_back({severity, scene.path, line, {}, std::move(message), nullptr});
@@ -128,7 +128,7 @@ NodeRef<SoSeparator> SceneReader::include(SceneFile& scene, const fs::path& path
   };
   if (std::ranges::find(paths_, path) != paths_.end()) return refuse("includes itself: remove the node");
   if (const auto known = included_.find(path); known != included_.end()) return known->second;
-  if (paths_.size() > kMaxDepth) return refuse("is included over more than 16 files: include it directly");
+  if (paths_.size() > kMostNestedFiles) return refuse("is included over more than 16 files: include it directly");
   if (included_.size() >= kMaxIncluded) return refuse("is one file too many: a scene includes 1000 at most");
   SceneBytes contents = readSceneBytes(path);
   if (!contents.fault.empty()) return refuse(contents.fault);

@@ -20,18 +20,18 @@ namespace fs = std::filesystem;
 }
 
 /// A file beside the one that is to be replaced; gone again unless it has taken its place.
-class Replacement {
+class ReplacingFile {
  public:
-  explicit Replacement(const fs::path& target) : target_(target), name_(target.string() + ".XXXXXX") {
+  explicit ReplacingFile(const fs::path& target) : target_(target), name_(target.string() + ".XXXXXX") {
     descriptor_ = ::mkostemp(name_.data(), O_CLOEXEC);
     if (descriptor_ < 0) fail(target_, "no file can be made in its folder", "check the folder and its permissions");
   }
-  ~Replacement() {
+  ~ReplacingFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
     if (!done_) ::unlink(name_.c_str());
   }
-  Replacement(const Replacement&) = delete;
-  Replacement& operator=(const Replacement&) = delete;
+  ReplacingFile(const ReplacingFile&) = delete;
+  ReplacingFile& operator=(const ReplacingFile&) = delete;
 
   void write(std::string_view text) {
     while (!text.empty()) {
@@ -95,7 +95,7 @@ void saveText(std::string_view text, const fs::path& path) {
     if (!fs::is_regular_file(target, error)) fail(path, "it is not a regular file", "choose another name");
     if (::access(target.c_str(), W_OK) != 0) fail(path, "it is write-protected", "save under another name");
   }
-  Replacement replacement(target);
+  ReplacingFile replacement(target);
   replacement.write(text);
   replacement.setMode();
   replacement.takePlace();

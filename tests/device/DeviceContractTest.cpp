@@ -15,7 +15,7 @@
 namespace haptiv {
 namespace {
 
-constexpr double kPeriod = 1e-3;
+constexpr double kTick = 1e-3;
 
 /// A device with nobody at its handle, standing at its home.
 struct Candidate {
@@ -41,7 +41,7 @@ class DeviceContract : public testing::TestWithParam<Candidate> {
 };
 
 TEST_P(DeviceContract, StartsAtItsHome) {
-  device_->start(kPeriod);
+  device_->start(kTick);
   const DeviceReading reading = device_->read();
   EXPECT_TRUE(reading.connected);
   const JointVector halfCount = 0.5000001 * description_.drives.countsPerRadian().cwiseInverse();
@@ -50,13 +50,13 @@ TEST_P(DeviceContract, StartsAtItsHome) {
 }
 
 TEST_P(DeviceContract, ReadingChangesNothing) {
-  device_->start(kPeriod);
+  device_->start(kTick);
   const DeviceReading first = device_->read();
   for (int i = 0; i < 10; ++i) EXPECT_EQ(device_->read().encoderCounts, first.encoderCounts);
 }
 
 TEST_P(DeviceContract, StandsStillWhenNotEnabledWhateverTheRates) {
-  device_->start(kPeriod);
+  device_->start(kTick);
   const DeviceReading before = device_->read();
   DeviceCommand command;
   command.jointRates.setConstant(2);
@@ -64,7 +64,7 @@ TEST_P(DeviceContract, StandsStillWhenNotEnabledWhateverTheRates) {
 }
 
 TEST_P(DeviceContract, StandsStillAtZeroRates) {
-  device_->start(kPeriod);
+  device_->start(kTick);
   const DeviceReading before = device_->read();
   EXPECT_EQ(run(turning(0, 0), 200).encoderCounts, before.encoderCounts);
 }
@@ -72,7 +72,7 @@ TEST_P(DeviceContract, StandsStillAtZeroRates) {
 TEST_P(DeviceContract, TurnsEachJointTheWayAndAsFarAsCommandedAndNoOther) {
   for (int joint = 0; joint < kJointCount; ++joint) {
     for (const double rate : {0.5, -0.5}) {
-      device_->start(kPeriod);
+      device_->start(kTick);
       const JointVector before = description_.jointAngles(device_->read());
       const JointVector turned = description_.jointAngles(run(turning(joint, rate), 500)) - before;
       for (int i = 0; i < kJointCount; ++i) {
@@ -85,14 +85,14 @@ TEST_P(DeviceContract, TurnsEachJointTheWayAndAsFarAsCommandedAndNoOther) {
 }
 
 TEST_P(DeviceContract, BrakesOnceItIsDisabled) {
-  device_->start(kPeriod);
+  device_->start(kTick);
   run(turning(2, 1), 300);
   const DeviceReading braked = run(DeviceCommand{}, 300);
   EXPECT_EQ(run(DeviceCommand{}, 100).encoderCounts, braked.encoderCounts);
 }
 
 TEST_P(DeviceContract, NeverTurnsFasterThanItsLimits) {
-  device_->start(kPeriod);
+  device_->start(kTick);
   DeviceCommand command;
   command.enabled = true;
   command.jointRates.setConstant(50);
@@ -100,14 +100,14 @@ TEST_P(DeviceContract, NeverTurnsFasterThanItsLimits) {
   const JointVector count = description_.drives.countsPerRadian().cwiseInverse();
   for (int i = 0; i < 300; ++i) {
     const JointVector now = description_.jointAngles(run(command, 1));
-    const JointVector most = description_.drives.rateLimit * kPeriod + count;  // and one count of rounding
+    const JointVector most = description_.drives.rateLimit * kTick + count;  // and one count of rounding
     ASSERT_TRUE(((now - before).array() <= most.array() * (1 + 1e-9)).all()) << "tick " << i;
     before = now;
   }
 }
 
 TEST_P(DeviceContract, StaysSaneWhenAskedForRatesThatAreNoNumbers) {
-  device_->start(kPeriod);
+  device_->start(kTick);
   DeviceCommand command;
   command.enabled = true;
   command.jointRates.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -118,7 +118,7 @@ TEST_P(DeviceContract, StaysSaneWhenAskedForRatesThatAreNoNumbers) {
 }
 
 TEST_P(DeviceContract, FeelsNoHandWhereThereIsNone) {
-  device_->start(kPeriod);
+  device_->start(kTick);
   for (int i = 0; i < 100; ++i) {
     const Wrench wrench = description_.handleWrench(run(turning(0, 0.2), 1));
     // Noise alone: six standard deviations and one count.
@@ -130,7 +130,7 @@ TEST_P(DeviceContract, FeelsNoHandWhereThereIsNone) {
 }
 
 TEST_P(DeviceContract, StandsStillOnceStopped) {
-  device_->start(kPeriod);
+  device_->start(kTick);
   run(turning(4, 1), 50);
   device_->stop();
   const DeviceReading stopped = device_->read();
@@ -143,11 +143,11 @@ TEST_P(DeviceContract, StandsStillBeforeItIsStarted) {
 }
 
 TEST_P(DeviceContract, StopsTwiceAndStartsAgainAndMoves) {
-  device_->start(kPeriod);
+  device_->start(kTick);
   run(turning(1, 1), 50);
   device_->stop();
   device_->stop();
-  device_->start(kPeriod);
+  device_->start(kTick);
   const DeviceReading before = device_->read();
   EXPECT_GT(run(turning(1, 1), 50).encoderCounts[1], before.encoderCounts[1]);
 }

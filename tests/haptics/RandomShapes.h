@@ -9,6 +9,8 @@
 
 namespace haptiv::testing {
 
+inline const Vector3 kRest = Vector3::Zero();  ///< the velocity of a ball at rest [m/s]
+
 /// Seeded random input; the same seed gives the same run.
 class RandomShapes {
  public:

@@ -22,7 +22,7 @@ Zone boxZone(Zone::Kind kind) {
   return zone;
 }
 
-HapticScene sceneOf(std::vector<Zone> zones) {
+HapticScene sceneWith(std::vector<Zone> zones) {
   HapticScene scene;
   scene.zones = std::move(zones);
   computeBounds(scene);
@@ -38,20 +38,20 @@ Vector3 forceAt(const HapticScene& scene, const Vector3& p, const Vector3& v, in
 
 TEST(ViscousZone, ActsAgainstTheVelocity) {
   int inside = 0;
-  const Vector3 force = forceAt(sceneOf({boxZone(Zone::Kind::viscous)}), {0, 0, 0}, {0.1, -0.2, 0.3}, &inside);
+  const Vector3 force = forceAt(sceneWith({boxZone(Zone::Kind::viscous)}), {0, 0, 0}, {0.1, -0.2, 0.3}, &inside);
   EXPECT_LT((force + 15 * Vector3(0.1, -0.2, 0.3)).norm(), 1e-12);
   EXPECT_EQ(inside, 1);
 }
 
 TEST(SpringZone, PullsToItsAnchor) {
-  const Vector3 force = forceAt(sceneOf({boxZone(Zone::Kind::spring)}), {0, 0.03, 0}, {1, 1, 1});
+  const Vector3 force = forceAt(sceneWith({boxZone(Zone::Kind::spring)}), {0, 0.03, 0}, {1, 1, 1});
   EXPECT_LT((force - 150 * Vector3(0.02, -0.03, 0)).norm(), 1e-12);
 }
 
 TEST(SpringZone, PushesAwayWhereItIsShorterThanItsRestLength) {
   Zone zone = boxZone(Zone::Kind::spring);
   zone.restLength = 0.05;
-  const HapticScene scene = sceneOf({zone});
+  const HapticScene scene = sceneWith({zone});
   EXPECT_NEAR(forceAt(scene, {0.02, 0.02, 0}, Vector3::Zero()).y(), 150 * 0.03, 1e-12);
   EXPECT_NEAR(forceAt(scene, {0.02, 0.07, 0}, Vector3::Zero()).y(), -150 * 0.02, 1e-12);
 }
@@ -60,8 +60,8 @@ TEST(SpringZone, IsFiniteInItsAnchor) {
   Zone zone = boxZone(Zone::Kind::spring);
   for (const double restLength : {0.0, 0.05}) {
     zone.restLength = restLength;
-    EXPECT_EQ(forceAt(sceneOf({zone}), zone.anchor, Vector3::Zero()), Vector3::Zero());
-    const Vector3 near = forceAt(sceneOf({zone}), zone.anchor + Vector3(0, 1e-300, 0), Vector3::Zero());
+    EXPECT_EQ(forceAt(sceneWith({zone}), zone.anchor, Vector3::Zero()), Vector3::Zero());
+    const Vector3 near = forceAt(sceneWith({zone}), zone.anchor + Vector3(0, 1e-300, 0), Vector3::Zero());
     EXPECT_LE(near.norm(), 150 * restLength + 1e-12);
   }
 }
@@ -69,7 +69,7 @@ TEST(SpringZone, IsFiniteInItsAnchor) {
 TEST(RubberBand, PullsOnlyWhereItIsLongerThanItsRestLength) {
   Zone zone = boxZone(Zone::Kind::rubberBand);
   zone.restLength = 0.05;
-  const HapticScene scene = sceneOf({zone});
+  const HapticScene scene = sceneWith({zone});
   EXPECT_EQ(forceAt(scene, {0.02, 0.04, 0}, {1, 1, 1}), Vector3::Zero());
   EXPECT_LT((forceAt(scene, {0.02, 0.07, 0}, {1, 1, 1}) - Vector3(0, -150 * 0.02, 0)).norm(), 1e-12);
   EXPECT_EQ(forceAt(scene, zone.anchor, {1, 1, 1}), Vector3::Zero());
@@ -78,7 +78,7 @@ TEST(RubberBand, PullsOnlyWhereItIsLongerThanItsRestLength) {
 TEST(RubberBand, TakesHoldContinuouslyAtItsRestLength) {
   Zone zone = boxZone(Zone::Kind::rubberBand);
   zone.restLength = 0.05;
-  const HapticScene scene = sceneOf({zone});
+  const HapticScene scene = sceneWith({zone});
   Vector3 last = Vector3::Zero();
   for (double y = 0; y < 0.08; y += 1e-5) {
     const Vector3 force = forceAt(scene, {0.02, y, 0}, Vector3::Zero());
@@ -98,9 +98,9 @@ TEST(Zones, AreBoundedByClosedMeshesAsByTheShapesTheyAre) {
   open.shape.mesh = soup.mesh();
   for (int i = 0; i < 2000; ++i) {
     const Vector3 p = random.vector(0.12), v = random.vector(1);
-    EXPECT_LT((forceAt(sceneOf({exact}), p, v) - forceAt(sceneOf({mesh}), p, v)).norm(), 1e-9);
+    EXPECT_LT((forceAt(sceneWith({exact}), p, v) - forceAt(sceneWith({mesh}), p, v)).norm(), 1e-9);
     int inside = 1;
-    EXPECT_EQ(forceAt(sceneOf({open}), p, v, &inside), Vector3::Zero());
+    EXPECT_EQ(forceAt(sceneWith({open}), p, v, &inside), Vector3::Zero());
     EXPECT_EQ(inside, 0);
   }
 }
@@ -110,8 +110,8 @@ TEST(Zones, AddUpWhereTheyOverlap) {
   const Zone b = boxZone(Zone::Kind::spring);
   int inside = 0;
   const Vector3 p(0.01, 0.02, 0.03), v(0.4, 0.5, 0.6);
-  const Vector3 both = forceAt(sceneOf({a, b}), p, v, &inside);
-  EXPECT_LT((both - forceAt(sceneOf({a}), p, v) - forceAt(sceneOf({b}), p, v)).norm(), 1e-12);
+  const Vector3 both = forceAt(sceneWith({a, b}), p, v, &inside);
+  EXPECT_LT((both - forceAt(sceneWith({a}), p, v) - forceAt(sceneWith({b}), p, v)).norm(), 1e-12);
   EXPECT_EQ(inside, 2);
 }
 
@@ -121,7 +121,7 @@ TEST(Zones, TakeHoldContinuouslyAcrossTheirBorders) {
     Zone zone = boxZone(run % 2 == 0 ? Zone::Kind::viscous : Zone::Kind::spring);
     zone.shape = run % 5 == 4 ? random.skewedBox() : random.shape(static_cast<Shape::Kind>(run % 5), 0.3);
     zone.anchor = random.vector(0.3);
-    const HapticScene scene = sceneOf({zone});
+    const HapticScene scene = sceneWith({zone});
     const Vector3 v = random.direction();
     const double step = 1e-5;
     const Vector3 way = random.direction();
@@ -140,7 +140,7 @@ TEST(Zones, TakeHoldContinuouslyAcrossTheirBorders) {
 
 TEST(Zones, TurnWithTheScene) {
   RandomShapes random(2);
-  const HapticScene scene = sceneOf({boxZone(Zone::Kind::viscous), boxZone(Zone::Kind::spring)});
+  const HapticScene scene = sceneWith({boxZone(Zone::Kind::viscous), boxZone(Zone::Kind::spring)});
   for (int i = 0; i < 500; ++i) {
     const Matrix3 R = random.rotation();
     const Vector3 t = random.vector(1), p = random.vector(0.12), v = random.vector(1);
@@ -150,7 +150,7 @@ TEST(Zones, TurnWithTheScene) {
 
 TEST(Zones, AreNotFeltOutside) {
   int inside = 1;
-  EXPECT_EQ(forceAt(sceneOf({boxZone(Zone::Kind::spring)}), {0.1101, 0, 0}, {1, 1, 1}, &inside), Vector3::Zero());
+  EXPECT_EQ(forceAt(sceneWith({boxZone(Zone::Kind::spring)}), {0.1101, 0, 0}, {1, 1, 1}, &inside), Vector3::Zero());
   EXPECT_EQ(inside, 0);
 }
 

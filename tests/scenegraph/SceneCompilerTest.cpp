@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 using testing::read;
 using testing::textOf;
 
-constexpr double kFloat = 1e-6;  // Coin's matrices are single precision; the scenes here are about 1 m large
+constexpr double kSinglePrecision = 1e-6;  // Coin's matrices are single precision; the scenes here are about 1 m large
 
 TEST(SceneCompiler, PutsTheCornersOfATurnedAndStretchedCubeWhereCoinPutsThem) {
   const CompiledScene compiled = compile(
@@ -36,7 +36,7 @@ TEST(SceneCompiler, PutsTheCornersOfATurnedAndStretchedCubeWhereCoinPutsThem) {
     SbVec3f expected;
     matrix.multVecMatrix(SbVec3f(0.1F * float(s[0]), 0.2F * float(s[1]), 0.3F * float(s[2])), expected);
     const Vector3 actual = shape.centre + shape.axes * s;
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], kFloat) << "corner " << corner;
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], kSinglePrecision) << "corner " << corner;
   }
 }
 
@@ -64,7 +64,7 @@ TEST(SceneCompiler, ScalesTheRadiusOfASphere) {
   ASSERT_TRUE(compiled.scene);
   ASSERT_EQ(compiled.scene->walls.size(), 1u);
   EXPECT_EQ(compiled.scene->walls[0].shape.kind, Shape::Kind::sphere);
-  EXPECT_NEAR(compiled.scene->walls[0].shape.axes.col(0).norm(), 1.5, kFloat);
+  EXPECT_NEAR(compiled.scene->walls[0].shape.axes.col(0).norm(), 1.5, kSinglePrecision);
 }
 
 TEST(SceneCompiler, KeepsCylindersAndConesUnderRotationAndAxialScale) {
@@ -74,9 +74,9 @@ TEST(SceneCompiler, KeepsCylindersAndConesUnderRotationAndAxialScale) {
     ASSERT_TRUE(compiled.scene) << textOf(compiled.diagnostics);
     ASSERT_EQ(compiled.scene->walls.size(), 1u) << textOf(compiled.diagnostics);
     const Matrix3& axes = compiled.scene->walls[0].shape.axes;
-    EXPECT_NEAR(axes.col(0).norm(), 2, kFloat);
-    EXPECT_NEAR(axes.col(1).norm(), 0.5, kFloat);
-    EXPECT_NEAR(axes.col(2).norm(), 2, kFloat);
+    EXPECT_NEAR(axes.col(0).norm(), 2, kSinglePrecision);
+    EXPECT_NEAR(axes.col(1).norm(), 0.5, kSinglePrecision);
+    EXPECT_NEAR(axes.col(2).norm(), 2, kSinglePrecision);
     EXPECT_NEAR(axes.col(0).dot(axes.col(1)), 0, 1e-12);  // straightened in double precision
   }
 }

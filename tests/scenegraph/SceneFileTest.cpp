@@ -20,20 +20,16 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using testing::kHeader;
+using testing::put;
 using testing::read;
 using testing::ScratchFolder;
 using testing::textOf;
-
-const std::string kHeader = "#Inventor V2.1 ascii\n";
 
 std::string errorsOf(const std::string& text) {
   const SceneFile scene = readSceneText(text, "test.iv");
   EXPECT_FALSE(scene.root);
   return textOf(scene.diagnostics);
-}
-
-void put(const fs::path& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary) << text;
 }
 
 std::string contentsOf(const fs::path& path) {

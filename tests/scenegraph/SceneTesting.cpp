@@ -1,13 +1,25 @@
 #include "tests/scenegraph/SceneTesting.h"
 
+#include <Inventor/actions/SoGetPrimitiveCountAction.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
 #include <algorithm>
+#include <fstream>
 
 namespace haptiv::testing {
 
 namespace fs = std::filesystem;
+
+void put(const fs::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+int trianglesOf(const SceneFile& scene) {
+  SoGetPrimitiveCountAction count;
+  count.apply(scene.root.get());
+  return count.getTriangleCount();
+}
 
 std::vector<fs::path> scenesIn(const fs::path& folder) {
   std::vector<fs::path> scenes;
@@ -31,7 +43,7 @@ std::string textOf(const Diagnostics& diagnostics) {
 }
 
 SceneFile read(const std::string& body) {
-  SceneFile scene = readSceneText("#Inventor V2.1 ascii\n" + body, "test.iv");
+  SceneFile scene = readSceneText(kHeader + body, "test.iv");
   EXPECT_TRUE(scene.root) << textOf(scene.diagnostics);
   return scene;
 }

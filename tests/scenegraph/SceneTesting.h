@@ -15,6 +15,14 @@ inline std::filesystem::path sourceDir() {
   return HAPTIV_SOURCE_DIR;
 }
 
+/// The first line of a scene.
+inline const std::string kHeader = "#Inventor V2.1 ascii\n";
+
+void put(const std::filesystem::path& file, const std::string& text);
+
+/// As Coin cuts the scene.
+int trianglesOf(const SceneFile& scene);
+
 /// The .iv files of a folder, in the order of their names.
 std::vector<std::filesystem::path> scenesIn(const std::filesystem::path& folder);
 

@@ -43,6 +43,9 @@ class Handle {
   Close close_ = nullptr;
 };
 
+/// The remedy where a file holds something else than it should.
+inline constexpr const char* kDamaged = "The file is damaged or is no session log: use another copy of it";
+
 /// What HDF5 says of its last failure, in brackets; empty if nothing.
 std::string lastFailure();
 

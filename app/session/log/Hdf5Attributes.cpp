@@ -5,10 +5,9 @@
 namespace haptiv::hdf5 {
 namespace {
 
-constexpr std::size_t kLongestText = 4096;  // [bytes]
+constexpr std::size_t kLongestAttribute = 4096;  // [bytes]
 constexpr std::size_t kLongestList = 256;
 constexpr const char* kFull = "Look for free space on that disk";
-constexpr const char* kDamaged = "The file is damaged or is no session log: use another copy of it";
 
 Handle textType(const std::filesystem::path& path, std::size_t length) {
   Handle type(checked(H5Tcopy(H5T_C_S1), path, "set up HDF5", ""), H5Tclose);
@@ -25,7 +24,7 @@ Handle scalarSpace(const std::filesystem::path& path) {
 
 void Attributes::writeTexts(const char* attribute, std::span<const std::string> texts, hid_t space) const {
   std::size_t length = 1;
-  for (const std::string& text : texts) length = std::max(length, std::min(text.size(), kLongestText));
+  for (const std::string& text : texts) length = std::max(length, std::min(text.size(), kLongestAttribute));
   std::string block(length * texts.size(), '\0');
   for (std::size_t i = 0; i < texts.size(); ++i) texts[i].copy(block.data() + i * length, length);
   const Handle type = textType(path_, length);
@@ -74,7 +73,7 @@ std::vector<std::string> Attributes::readTexts(const char* attribute, std::size_
   const hssize_t count = H5Sget_simple_extent_npoints(space.id());
   const std::size_t length = H5Tget_size(stored.id());
   if (H5Tget_class(stored.id()) != H5T_STRING || H5Tis_variable_str(stored.id()) != 0 || length == 0 ||
-      length > kLongestText || count < 0 || static_cast<std::size_t>(count) > most)
+      length > kLongestAttribute || count < 0 || static_cast<std::size_t>(count) > most)
     fail(path_, "cannot " + what + ": it is no text of fixed length", kDamaged);
   std::string block(length * static_cast<std::size_t>(count), '\0');
   const Handle type = textType(path_, length);

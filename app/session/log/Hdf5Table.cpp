@@ -6,8 +6,7 @@
 namespace haptiv::hdf5 {
 namespace {
 
-constexpr const char* kFull = "Look for free space on that disk; what was written before stays readable";
-constexpr const char* kDamaged = "The file is damaged or is no session log: use another copy of it";
+constexpr const char* kTableFull = "Look for free space on that disk; what was written before stays readable";
 constexpr hsize_t kLargestChunk = 64u << 20;  // [bytes], as far as a hostile file may make us allocate
 
 hid_t nativeType(Cell cell) {
@@ -71,7 +70,7 @@ Table Table::create(const Handle& file, const std::filesystem::path& path, const
   checked(H5Pset_obj_track_times(creation.id(), false), path, "leave out times", "");
   return {Handle(checked(H5Dcreate2(file.id(), name.c_str(), storedType(cell), space.id(), H5P_DEFAULT, creation.id(),
                                     H5P_DEFAULT),
-                         path, "create " + name, kFull),
+                         path, "create " + name, kTableFull),
                  H5Dclose),
           path, name, cell, columns};
 }
@@ -115,11 +114,11 @@ Handle Table::selectRows(std::uint64_t first, std::size_t count) const {
 void Table::append(const void* data, std::size_t rows) {
   if (rows == 0) return;
   const std::array<hsize_t, 2> extent{rows_ + rows, columns_}, size{rows, columns_};
-  checked(H5Dset_extent(dataset_.id(), extent.data()), path_, "make room in " + name_, kFull);
+  checked(H5Dset_extent(dataset_.id(), extent.data()), path_, "make room in " + name_, kTableFull);
   const Handle target = selectRows(rows_, rows);
   const Handle source(checked(H5Screate_simple(2, size.data(), nullptr), path_, "set up HDF5", ""), H5Sclose);
   checked(H5Dwrite(dataset_.id(), nativeType(cell_), source.id(), target.id(), H5P_DEFAULT, data), path_,
-          "write " + name_, kFull);
+          "write " + name_, kTableFull);
   rows_ += rows;
 }
 

@@ -11,8 +11,6 @@
 namespace haptiv {
 namespace {
 
-constexpr std::uint64_t kBlock = 4096;  // [ticks] in memory at a time
-
 /// The columns, time first; nanoseconds become seconds.
 std::vector<TickColumn> exportColumns() {
   std::vector<TickColumn> columns;
@@ -43,8 +41,8 @@ void exportCsv(const SessionLog& log, const std::filesystem::path& path) {
   std::string lines;
   for (const TickColumn& column : columns) lines += (lines.empty() ? "" : ",") + column.name;
   lines += '\n';
-  for (std::uint64_t first = 0; first < log.tickCount() && stream; first += kBlock) {
-    for (const TickRecord& tick : log.ticks(first, kBlock)) {
+  for (std::uint64_t first = 0; first < log.tickCount() && stream; first += SessionLog::kBlock) {
+    for (const TickRecord& tick : log.ticks(first, SessionLog::kBlock)) {
       for (const TickColumn& column : columns) {
         addNumber(lines, column.value(tick));
         lines += ',';

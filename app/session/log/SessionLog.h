@@ -33,6 +33,8 @@ class SessionLog {
   std::uint64_t dropped() const;                   ///< ticks that never reached the log
   const std::vector<LoggedScene>& scenes() const;  ///< by version, ascending
 
+  static constexpr std::uint64_t kBlock = 4096;  ///< [ticks] good to hold in memory at a time
+
   /// Ticks [first, first + count), fewer at the end. All fields of the record are there, the inputs and the results
   /// bit for bit.
   std::vector<TickRecord> ticks(std::uint64_t first, std::uint64_t count) const;

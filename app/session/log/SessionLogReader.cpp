@@ -136,7 +136,6 @@ void SessionLog::File::openTicks() {
 }
 
 void SessionLog::File::dropTicksWithoutScene() {
-  constexpr std::uint64_t kBlock = 4096;
   while (tickCount > 0) {
     if (scenes.empty()) {
       tickCount = 0;

@@ -40,7 +40,7 @@ void bind(Attribute& attribute, int binding) {
 }
 
 /// An empty list leaves what was in force.
-void replace(std::int64_t& count, int values) {
+void replaceCount(std::int64_t& count, int values) {
   if (values > 0) count = values;
 }
 
@@ -54,7 +54,7 @@ void takeIfAny(Attribute& attribute, const SoMField& values) {
 }
 
 void takeVertices(AttributesInForce& state, const SoVertexProperty& node) {
-  replace(state.coordinates, node.vertex.getNum());
+  replaceCount(state.coordinates, node.vertex.getNum());
   takeIfAny(state.textureCoordinates, node.texCoord.getNum() > node.texCoord3.getNum()
                                           ? static_cast<const SoMField&>(node.texCoord)
                                           : node.texCoord3);

@@ -19,10 +19,10 @@
 namespace haptiv {
 namespace {
 
-constexpr double kMaxCost = 5e7;  // about a million triangles a second and some seconds to go through it
-constexpr double kNodeCost = 16;  // a visited node costs about as much as so many visited values
-constexpr double kQuadCost = 32;  // two triangles, and their normals, which are made from all around
-constexpr int kMaxDepth = 1000;   // actions recurse, and USE makes a graph deeper than its text
+constexpr double kMaxCost = 5e7;     // about a million triangles a second and some seconds to go through it
+constexpr double kNodeCost = 16;     // a visited node costs about as much as so many visited values
+constexpr double kQuadCost = 32;     // two triangles, and their normals, which are made from all around
+constexpr int kDeepestGraph = 1000;  // actions recurse, and USE makes a graph deeper than its text
 
 std::vector<SoNode*> nodesInFields(const SoNode* node) {
   std::vector<SoNode*> nodes;
@@ -145,7 +145,8 @@ GraphFault expansionFault(SoNode* root) {
     ++visit.next;
     extent.cost += timesTraversed(visit.node) * known->second.cost;
     extent.depth = std::max(extent.depth, known->second.depth + 1);
-    if (extent.depth > kMaxDepth) return {"USE nests the scene deeper than 1000 levels: make it flatter", visit.node};
+    if (extent.depth > kDeepestGraph)
+      return {"USE nests the scene deeper than 1000 levels: make it flatter", visit.node};
   }
   return {};
 }

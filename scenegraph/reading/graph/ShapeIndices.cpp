@@ -49,7 +49,7 @@ Attribute vrmlAttribute(const SoSFNode& node, const SoSFBool& perVertex, const S
 }
 
 /// Goes through the graph as actions do. Recursive: expansionFault has bounded the depth.
-class Checker {
+class IndexChecker {
  public:
   Diagnostics faults;
   ListMending mending;
@@ -173,7 +173,7 @@ class Checker {
 }  // namespace
 
 Diagnostics shapeIndexFaults(SoNode* root) {
-  Checker checker;
+  IndexChecker checker;
   AttributesInForce state;
   checker.visit(root, state);
   if (!hasErrors(checker.faults)) checker.mending.mend(root);

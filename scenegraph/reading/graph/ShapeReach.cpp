@@ -21,17 +21,17 @@ bool hasValues(const SoMFInt32* index) {
   return index && index->getNum() > 0 && (*index)[0] >= 0;
 }
 
-enum class Kind { faces, strips, lines };
+enum class PieceKind { faces, strips, lines };
 
 /// One polygon, strip or line of so many vertices.
-void addPiece(ShapeReach& reach, Kind kind, std::int64_t vertices) {
+void addPiece(ShapeReach& reach, PieceKind kind, std::int64_t vertices) {
   reach.vertices += vertices;
-  const std::int64_t inner = std::max<std::int64_t>(0, vertices - (kind == Kind::lines ? 1 : 2));
-  reach.faces += kind == Kind::strips ? inner : 1;
-  reach.parts += kind == Kind::lines ? inner : 1;
+  const std::int64_t inner = std::max<std::int64_t>(0, vertices - (kind == PieceKind::lines ? 1 : 2));
+  reach.faces += kind == PieceKind::strips ? inner : 1;
+  reach.parts += kind == PieceKind::lines ? inner : 1;
 }
 
-ShapeReach reachOfPieces(Kind kind, std::int64_t start, const SoMFInt32& counts, std::int64_t coordinates) {
+ShapeReach reachOfPieces(PieceKind kind, std::int64_t start, const SoMFInt32& counts, std::int64_t coordinates) {
   ShapeReach reach;
   for (int i = 0; i < counts.getNum(); ++i) {
     const std::int64_t used = start + reach.vertices;
@@ -97,7 +97,7 @@ std::string ShapeReach::listFault(Per per, const SoMFInt32& index) const {
 }
 
 ShapeReach reachOfIndices(const SoMFInt32& coordIndex, bool isLines, bool isStrips) {
-  const Kind kind = isLines ? Kind::lines : isStrips ? Kind::strips : Kind::faces;
+  const PieceKind kind = isLines ? PieceKind::lines : isStrips ? PieceKind::strips : PieceKind::faces;
   ShapeReach reach;
   reach.coordIndex = &coordIndex;
   reach.isLines = isLines;
@@ -122,11 +122,11 @@ ShapeReach reachOfCounts(const SoNode* node, std::int64_t coordinates) {
   const std::int64_t start = plain->startIndex.getValue();
   ShapeReach reach;
   if (const auto* faces = dynamic_cast<const SoFaceSet*>(node)) {
-    reach = reachOfPieces(Kind::faces, start, faces->numVertices, coordinates);
+    reach = reachOfPieces(PieceKind::faces, start, faces->numVertices, coordinates);
   } else if (const auto* strips = dynamic_cast<const SoTriangleStripSet*>(node)) {
-    reach = reachOfPieces(Kind::strips, start, strips->numVertices, coordinates);
+    reach = reachOfPieces(PieceKind::strips, start, strips->numVertices, coordinates);
   } else if (const auto* lines = dynamic_cast<const SoLineSet*>(node)) {
-    reach = reachOfPieces(Kind::lines, start, lines->numVertices, coordinates);
+    reach = reachOfPieces(PieceKind::lines, start, lines->numVertices, coordinates);
   } else if (const auto* mesh = dynamic_cast<const SoQuadMesh*>(node)) {
     reach = reachOfMesh(*mesh, start);
   } else if (const auto* points = dynamic_cast<const SoPointSet*>(node)) {

@@ -17,7 +17,7 @@ namespace {
 
 using Kind = SceneToken::Kind;
 
-constexpr std::size_t kMaxDepth = 1000;      // Coin reads recursively; its stack ends near 11,600
+constexpr std::size_t kDeepestText = 1000;   // Coin reads recursively; its stack ends near 11,600
 constexpr std::size_t kMaxDiagnostics = 50;  // a broken file need not be quoted in full
 constexpr std::size_t kNoNode = ~std::size_t{0};
 
@@ -44,7 +44,7 @@ class Scanner {
         return std::move(scan_);
       }
       take(token);
-      if (levels_.size() > kMaxDepth) {
+      if (levels_.size() > kDeepestText) {
         fail(token.line, {}, "nested deeper than 1000 levels: make the scene flatter");
         return std::move(scan_);
       }

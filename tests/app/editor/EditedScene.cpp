@@ -1,5 +1,6 @@
 #include "tests/app/editor/EditedScene.h"
 
+#include <Inventor/fields/SoSFFloat.h>
 #include <QCoreApplication>
 #include <QFile>
 #include <stdexcept>
@@ -32,6 +33,10 @@ Separator {
               Translation { translation 0 0.2 0 } DEF Far Cube { width 0.04 height 0.1 depth 0.04 } }
 }
 )";
+
+NewValue number(float value) {
+  return [value](const SoField& field) { return FieldValue::of<SoSFFloat>(field, value); };
+}
 
 EditedScene::EditedScene(const std::string& text) {
   QFile file(pathOf("scene.iv"));

@@ -3,6 +3,7 @@
 #include <QTemporaryDir>
 #include <string>
 
+#include "app/editor/Edits.h"
 #include "app/editor/SceneDocument.h"
 #include "app/editor/SceneItems.h"
 
@@ -24,6 +25,9 @@ class EditedScene {
  private:
   QTemporaryDir folder_;
 };
+
+/// For an SoSFFloat.
+NewValue number(float value);
 
 /// Lets the event loop turn until nothing is waiting.
 void letEventsRun();

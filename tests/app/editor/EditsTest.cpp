@@ -12,10 +12,6 @@ namespace {
 
 using testing::ElementsAre;
 
-NewValue number(float value) {
-  return [value](const SoField& field) { return FieldValue::of<SoSFFloat>(field, value); };
-}
-
 std::vector<double> stiffnesses(const EditedScene& scene) {
   std::vector<double> values;
   for (const Wall& wall : scene.document.compiled().scene->walls) values.push_back(wall.surface.stiffness);

@@ -12,10 +12,6 @@
 namespace haptiv {
 namespace {
 
-NewValue number(float value) {
-  return [value](const SoField& field) { return FieldValue::of<SoSFFloat>(field, value); };
-}
-
 TEST(SceneDocument, StartsWithASceneThatASessionCanRun) {
   SceneDocument document;
   ASSERT_TRUE(document.compiled().scene);

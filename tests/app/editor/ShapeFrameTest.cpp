@@ -10,7 +10,7 @@
 namespace haptiv {
 namespace {
 
-constexpr double kSingle = 1e-5;  // single precision through a chain of matrices
+constexpr double kSingleChain = 1e-5;  // single precision through a chain of matrices
 
 const char kNested[] = R"(#Inventor V2.1 ascii
 Separator {
@@ -34,9 +34,9 @@ TEST(ShapeFrame, ReadsWhatTheCompilerReads) {
   EditedScene scene(kNested);
   const ShapeFrame frame = frameOf(scene, "Box");
   const Shape& shape = scene.document.compiled().scene->walls[0].shape;
-  EXPECT_TRUE(frame.centre().isApprox(shape.centre, kSingle));
-  EXPECT_TRUE(frame.size().isApprox(Vector3(2 * shape.axes.colwise().norm().transpose()), kSingle));
-  EXPECT_NEAR(frame.yaw(), 0.9, kSingle);
+  EXPECT_TRUE(frame.centre().isApprox(shape.centre, kSingleChain));
+  EXPECT_TRUE(frame.size().isApprox(Vector3(2 * shape.axes.colwise().norm().transpose()), kSingleChain));
+  EXPECT_NEAR(frame.yaw(), 0.9, kSingleChain);
 }
 
 TEST(ShapeFrame, PutsTheShapeWhereItIsTold) {
@@ -52,9 +52,9 @@ TEST(ShapeFrame, PutsTheShapeWhereItIsTold) {
       "move");
   letEventsRun();
   const Shape& shape = scene.document.compiled().scene->walls[0].shape;
-  EXPECT_TRUE(shape.centre.isApprox(Vector3(0.5, -0.5, 0.25), kSingle));
-  EXPECT_TRUE(Vector3(2 * shape.axes.colwise().norm().transpose()).isApprox(Vector3(0.3, 0.2, 0.1), kSingle));
-  EXPECT_NEAR(std::atan2(shape.axes(1, 0), shape.axes(0, 0)), -0.4, kSingle);
+  EXPECT_TRUE(shape.centre.isApprox(Vector3(0.5, -0.5, 0.25), kSingleChain));
+  EXPECT_TRUE(Vector3(2 * shape.axes.colwise().norm().transpose()).isApprox(Vector3(0.3, 0.2, 0.1), kSingleChain));
+  EXPECT_NEAR(std::atan2(shape.axes(1, 0), shape.axes(0, 0)), -0.4, kSingleChain);
 }
 
 TEST(ShapeFrame, KeepsRoundThingsRound) {
@@ -72,15 +72,15 @@ TEST(ShapeFrame, KeepsRoundThingsRound) {
   }
   letEventsRun();
   EXPECT_FALSE(hasErrors(scene.document.diagnostics()));
-  EXPECT_TRUE(frameOf(scene, "Ball").size().isApprox(Vector3(0.3, 0.3, 0.3), kSingle));
-  EXPECT_TRUE(frameOf(scene, "Post").size().isApprox(Vector3(0.3, 0.2, 0.3), kSingle));
+  EXPECT_TRUE(frameOf(scene, "Ball").size().isApprox(Vector3(0.3, 0.3, 0.3), kSingleChain));
+  EXPECT_TRUE(frameOf(scene, "Post").size().isApprox(Vector3(0.3, 0.2, 0.3), kSingleChain));
 }
 
 TEST(ShapeFrame, NeverGetsThinnerThanAWallCanBe) {
   EditedScene scene(kNested);
   ShapeFrame frame = frameOf(scene, "Box");
   frame.setSize({0, -1, 0.5});
-  EXPECT_TRUE(frame.size().isApprox(Vector3(0.005, 0.005, 0.5), kSingle));
+  EXPECT_TRUE(frame.size().isApprox(Vector3(0.005, 0.005, 0.5), kSingleChain));
   EXPECT_GT(frame.value().scaleFactor[0], 0);
 }
 

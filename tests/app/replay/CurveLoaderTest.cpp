@@ -10,8 +10,6 @@
 namespace haptiv {
 namespace {
 
-constexpr int kLongEnough = 60'000;  // [ms] until a test gives up waiting
-
 void load(CurveLoader& loader, const SessionLog& log) {
   loader.start(log);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !loader.isLoading(); }, kLongEnough));

@@ -14,9 +14,7 @@
 namespace haptiv {
 namespace {
 
-constexpr int kLongEnough = 20'000;  // [ms] until a test gives up waiting
-
-struct Shown {
+struct ShownBar {
   TestLogs logs;
   ReplayPlayer player;
   ReplayBar bar;
@@ -26,8 +24,8 @@ struct Shown {
   SignalPlot* force = bar.findChild<SignalPlot*>("forcePlot");
   SignalPlot* position = bar.findChild<SignalPlot*>("positionPlot");
 
-  explicit Shown(const std::vector<TickRecord>& ticks = testTicks(20'001), TestLogs::End end = TestLogs::End::orderly,
-                 std::uint64_t dropped = 0)
+  explicit ShownBar(const std::vector<TickRecord>& ticks = testTicks(20'001),
+                    TestLogs::End end = TestLogs::End::orderly, std::uint64_t dropped = 0)
       : player(logs.make(ticks, end, dropped)) {
     bar.resize(900, 220);
     bar.setPlayer(&player);
@@ -48,7 +46,7 @@ struct Shown {
 };
 
 TEST(ReplayBar, KeepsSliderPlotsAndPlayerInStepWhicheverIsMoved) {
-  Shown s;
+  ShownBar s;
   s.expectAllAt(0);
   s.slider->setValue(3'214);
   s.expectAllAt(3.214);
@@ -61,7 +59,7 @@ TEST(ReplayBar, KeepsSliderPlotsAndPlayerInStepWhicheverIsMoved) {
 }
 
 TEST(ReplayBar, GoesWithThePlayerToTheEnd) {
-  Shown s;
+  ShownBar s;
   s.player.seek(19.8);
   s.play->click();
   EXPECT_TRUE(s.player.isPlaying());
@@ -70,7 +68,7 @@ TEST(ReplayBar, GoesWithThePlayerToTheEnd) {
 }
 
 TEST(ReplayBar, ObeysItsKeysWhereverItsFocusIs) {
-  Shown s;
+  ShownBar s;
   for (QWidget* focused : {static_cast<QWidget*>(&s.bar), static_cast<QWidget*>(s.slider),
                            static_cast<QWidget*>(s.speed), static_cast<QWidget*>(s.force)}) {
     focused->setFocus();
@@ -91,7 +89,7 @@ TEST(ReplayBar, ObeysItsKeysWhereverItsFocusIs) {
 }
 
 TEST(ReplayBar, SetsTheSpeedAndShowsIt) {
-  Shown s;
+  ShownBar s;
   EXPECT_EQ(s.speed->currentText(), "1x");
   s.speed->setCurrentIndex(s.speed->findText("5x"));
   EXPECT_EQ(s.player.speed(), 5);
@@ -100,13 +98,13 @@ TEST(ReplayBar, SetsTheSpeedAndShowsIt) {
 }
 
 TEST(ReplayBar, SaysThatALogIsCompleteOrCutOffOrLostTicks) {
-  EXPECT_EQ(Shown().label("stateLabel"), "complete");
-  EXPECT_EQ(Shown(testTicks(2'000), TestLogs::End::cutOff).label("stateLabel"), "cut off");
-  EXPECT_EQ(Shown(testTicks(2'000), TestLogs::End::orderly, 3).label("stateLabel"), "complete, 3 ticks lost");
+  EXPECT_EQ(ShownBar().label("stateLabel"), "complete");
+  EXPECT_EQ(ShownBar(testTicks(2'000), TestLogs::End::cutOff).label("stateLabel"), "cut off");
+  EXPECT_EQ(ShownBar(testTicks(2'000), TestLogs::End::orderly, 3).label("stateLabel"), "complete, 3 ticks lost");
 }
 
 TEST(ReplayBar, SharesTheZoomOfThePlotsAndFollowsTheCursor) {
-  Shown s;
+  ShownBar s;
   s.force->setTimeRange(2, 4);
   emit s.force->timeRangeChanged(2, 4);
   EXPECT_EQ(s.position->timeRange(), std::pair(2.0, 4.0));
@@ -119,7 +117,7 @@ TEST(ReplayBar, SharesTheZoomOfThePlotsAndFollowsTheCursor) {
 }
 
 TEST(ReplayBar, IsEmptyAndDisabledWithoutAPlayer) {
-  Shown s;
+  ShownBar s;
   s.player.seek(5);
   s.bar.setPlayer(nullptr);
   EXPECT_FALSE(s.play->isEnabled());

@@ -10,8 +10,6 @@
 namespace haptiv {
 namespace {
 
-constexpr int kLongEnough = 20'000;  // [ms] until a test gives up waiting; nothing is asserted about how long it took
-
 TEST(ReplayPlayer, FindsTheTickBeforeTheCursorWhereSomeWereMissed) {
   TestLogs logs;
   ReplayPlayer player(logs.make(testTicks(3'000, [](std::uint64_t tick) { return tick > 1'000 && tick < 2'000; })));

@@ -13,11 +13,11 @@
 namespace haptiv {
 namespace {
 
-struct Shown {
+struct ShownPlot {
   SignalPlot plot{"Force [N]", {"environment", "hand"}};
   QwtPlot* qwt = plot.findChild<QwtPlot*>();
 
-  Shown() {
+  ShownPlot() {
     plot.resize(500, 150);
     plot.show();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&plot));
@@ -59,7 +59,7 @@ TEST(Signals, DrawEachSampleWhenZoomedIn) {
 }
 
 TEST(SignalPlot, PicksTheTimeThatIsClickedAndDraggedTo) {
-  Shown s;
+  ShownPlot s;
   s.fill();
   QSignalSpy picked(&s.plot, &SignalPlot::timePicked);
   const auto at = [&](double time) {
@@ -76,7 +76,7 @@ TEST(SignalPlot, PicksTheTimeThatIsClickedAndDraggedTo) {
 }
 
 TEST(SignalPlot, ZoomsAboutThePointerAndShowsAllOnADoubleClick) {
-  Shown s;
+  ShownPlot s;
   s.fill();
   const QPoint pointer(s.qwt->canvas()->width() / 4, 40);
   const double before = s.qwt->canvasMap(QwtPlot::xBottom).invTransform(pointer.x());
@@ -90,7 +90,7 @@ TEST(SignalPlot, ZoomsAboutThePointerAndShowsAllOnADoubleClick) {
 }
 
 TEST(SignalPlot, KeepsTheZoomWhenMoreOfTheCurvesComes) {
-  Shown s;
+  ShownPlot s;
   s.fill();
   s.wheel({100, 40}, 600);
   const auto range = s.plot.timeRange();
@@ -99,7 +99,7 @@ TEST(SignalPlot, KeepsTheZoomWhenMoreOfTheCurvesComes) {
 }
 
 TEST(SignalPlot, RollsAndDoesNotMoveItsCanvasWhileItRolls) {
-  Shown s;
+  ShownPlot s;
   QRect canvas;
   for (int k = 0; k < 3'000; ++k) {
     s.plot.append(k / 60.0, {5 + std::sin(k * 0.1), 5.0});
@@ -116,7 +116,7 @@ TEST(SignalPlot, RollsAndDoesNotMoveItsCanvasWhileItRolls) {
 }
 
 TEST(SignalPlot, DoesNotTakeTheMouseWhileItRolls) {
-  Shown s;
+  ShownPlot s;
   s.plot.append(0, {1, 2});
   QSignalSpy picked(&s.plot, &SignalPlot::timePicked);
   QTest::mousePress(s.qwt->canvas(), Qt::LeftButton, {}, {100, 40});
@@ -124,7 +124,7 @@ TEST(SignalPlot, DoesNotTakeTheMouseWhileItRolls) {
 }
 
 TEST(SignalPlot, SaysThatItIsEmptyUntilThereIsSomething) {
-  Shown s;
+  ShownPlot s;
   s.plot.setEmptyText("start a session");
   QLabel* empty = nullptr;
   for (QLabel* label : s.plot.findChildren<QLabel*>()) {

@@ -8,6 +8,8 @@
 
 namespace haptiv {
 
+inline constexpr int kLongEnough = 60'000;  ///< [ms] until a test gives up waiting; how long it took is not asserted
+
 /// What the test logs hold: a tick each millisecond, and at tick n a position and forces that tell n.
 TickRecord testTick(std::uint64_t tick);
 /// Ticks 0 to count - 1, without those of which `missed` is true.

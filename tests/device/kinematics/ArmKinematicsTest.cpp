@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/device/PaperArm.h"
 #include "tests/device/kinematics/Chains.h"
 
 namespace haptiv {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kRounding = 1e-12;  // a few hundred roundings of quantities near one
+using std::numbers::pi;
 
 DeviceDescription asChain() {
   DeviceDescription description = loadDeviceDescription("vishard10");
@@ -26,7 +26,7 @@ TEST(ArmKinematics, ToolIsCarriedByTheWristCentreOfEitherKind) {
     description.tool = test::randomPose(random);
     const ArmKinematics arm(description);
     for (int i = 0; i < 100; ++i) {
-      const auto q = random.vector<JointVector>(-kPi, kPi);
+      const auto q = random.vector<JointVector>(-pi, pi);
       const Pose X_BC = bare.forward(q), X_BT = arm.forward(q);
       EXPECT_LT((X_BC.position + X_BC.rotation * description.tool.position - X_BT.position).norm(), kRounding);
       EXPECT_LT((X_BC.rotation * description.tool.rotation - X_BT.rotation).norm(), kRounding);

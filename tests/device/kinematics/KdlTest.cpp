@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "device/kinematics/ArmKinematics.h"
+#include "tests/device/PaperArm.h"
 #include "tests/device/kinematics/Chains.h"
 #include "tests/device/kinematics/ToKdl.h"
 #include "tests/support/Random.h"
@@ -14,8 +15,7 @@
 namespace haptiv {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kRounding = 1e-12;  // a few hundred roundings of quantities near one
+using std::numbers::pi;
 
 /// Pose and Jacobian of the arm against those of the same arm in KDL, over random joint angles.
 void expectSameAsKdl(const DeviceDescription& description, const ChainGeometry& geometry) {
@@ -28,7 +28,7 @@ void expectSameAsKdl(const DeviceDescription& description, const ChainGeometry& 
   ASSERT_EQ(static_cast<int>(chain.getNrOfJoints()), arm.jointCount());
   test::Random random(1);
   for (int i = 0; i < 10000; ++i) {
-    const auto q = random.vector<JointVector>(-kPi, kPi);
+    const auto q = random.vector<JointVector>(-pi, pi);
     angles.data = q.head(arm.jointCount());
     KDL::Frame frame;
     ASSERT_EQ(forward.JntToCart(angles, frame), 0);

@@ -7,21 +7,21 @@
 #include <stdexcept>
 
 #include "device/kinematics/ArmKinematics.h"
+#include "tests/device/PaperArm.h"
 #include "tests/device/kinematics/Chains.h"
 #include "tests/support/Random.h"
 
 namespace haptiv {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kRounding = 1e-12;  // a few hundred roundings of quantities near one
+using std::numbers::pi;
 
 TEST(SerialChain, AgreesWithVishard10sClosedForms) {
   const SerialChain chain(test::vishard10Chain(LinkLengths{}));
   const Vishard10 closed{LinkLengths{}};
   test::Random random(1);
   for (int i = 0; i < 2000; ++i) {
-    const auto q = random.vector<JointVector>(-kPi, kPi);
+    const auto q = random.vector<JointVector>(-pi, pi);
     const ArmPose a = chain.evaluate(q), b = closed.evaluate(q);
     ASSERT_LT((a.X_BT.position - b.X_BT.position).norm(), kRounding);
     ASSERT_LT((a.X_BT.rotation - b.X_BT.rotation).norm(), kRounding);
@@ -33,7 +33,7 @@ TEST(SerialChain, JacobianIsTheDerivativeOfThePlaceForAnyChain) {
   test::Random random(2);
   for (int i = 0; i < 50; ++i) {
     const SerialChain chain(test::randomChain(random, 1 + i % kJointCount));
-    const auto q = random.vector<JointVector>(-kPi, kPi);
+    const auto q = random.vector<JointVector>(-pi, pi);
     const ArmPose arm = chain.evaluate(q);
     for (int joint = 0; joint < kJointCount; ++joint) {
       constexpr double kStep = 1e-5;  // error of a central difference: step^2 / 6 times a reach of a few metres
@@ -50,7 +50,7 @@ TEST(SerialChain, JacobianIsTheDerivativeOfThePlaceForAnyChain) {
 TEST(SerialChain, SkeletonGoesFromTheFirstJointToTheEnd) {
   test::Random random(3);
   const SerialChain chain(test::randomChain(random, 7));
-  const auto q = random.vector<JointVector>(-kPi, kPi);
+  const auto q = random.vector<JointVector>(-pi, pi);
   const ArmSkeleton skeleton = chain.skeleton(q);
   ASSERT_EQ(skeleton.count, 8);
   EXPECT_LT((skeleton.at[7] - chain.forward(q).position).norm(), kRounding);

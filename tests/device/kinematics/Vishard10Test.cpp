@@ -9,19 +9,18 @@
 #include <numbers>
 
 #include "device/DeviceDescription.h"
+#include "tests/device/PaperArm.h"
 #include "tests/support/Random.h"
 
 namespace haptiv {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kRounding = 1e-12;  // a few hundred roundings of quantities near one
+using std::numbers::pi;
 
 const LinkLengths kLinks;
-const Vishard10 kArm(kLinks);
 
 JointVector randomAngles(test::Random& random) {
-  return random.vector<JointVector>(-kPi, kPi);
+  return random.vector<JointVector>(-pi, pi);
 }
 
 TEST(Vishard10, IsStretchedAlongXAtZeroAngles) {
@@ -70,10 +69,10 @@ TEST(Vishard10, InverseFunctionMeetsThePapersAngles) {
   const Vector3 p(0.3, -0.2, 0.1);
   const JointVector q = kArm.inverse(p, JointVector::Zero());
   const double a = std::acos(p.y() / 0.5), b = std::acos(p.x() / 0.5);
-  EXPECT_NEAR(q[0], a - 1.5 * kPi, kRounding);
-  EXPECT_NEAR(q[1], -2 * a + 2 * kPi, kRounding);
+  EXPECT_NEAR(q[0], a - 1.5 * pi, kRounding);
+  EXPECT_NEAR(q[1], -2 * a + 2 * pi, kRounding);
   EXPECT_NEAR(q[2], b - q[0] - q[1], kRounding);
-  EXPECT_NEAR(q[3], -2 * b + 2 * kPi, kRounding);
+  EXPECT_NEAR(q[3], -2 * b + 2 * pi, kRounding);
   EXPECT_NEAR(q[5], std::acos(p.z() / 0.424), kRounding);
   EXPECT_NEAR(q[6], -2 * q[5], kRounding);
 }

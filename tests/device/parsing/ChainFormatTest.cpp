@@ -14,7 +14,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(ChainFormat, ReadsJointsEndAndTool) {
   const auto d = parseDeviceDescription(
@@ -47,7 +47,7 @@ TEST(ChainFormat, TheAnthropomorphicArmHasTheParts) {
   const ArmKinematics arm(d);
   test::Random random(1);
   for (int i = 0; i < 50; ++i) {
-    const auto q = random.vector<JointVector>(-kPi, kPi);
+    const auto q = random.vector<JointVector>(-pi, pi);
     const ArmPose at = arm.evaluate(q);
     EXPECT_EQ((at.J_BT.block<3, 3>(0, 4).norm() < 1e-12), true) << "the wrist's axes meet in the wrist centre";
     const ArmSkeleton skeleton = arm.skeleton(q);

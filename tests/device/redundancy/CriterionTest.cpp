@@ -11,21 +11,21 @@
 #include "device/kinematics/Vishard10.h"
 #include "device/redundancy/CriterionGradient.h"
 #include "device/redundancy/JacobianDerivative.h"
+#include "tests/device/PaperArm.h"
 #include "tests/support/Random.h"
 
 namespace haptiv {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-const Vishard10 kArm{LinkLengths{}};
+using std::numbers::pi;
 
 TEST(Criterion, IsVolumeConditionAndTheirQuotient) {
   const Vector3 sigma(3, 2, 0.5);
-  EXPECT_NEAR(ellipsoidVolume(sigma), 4 * kPi / 3 * 3, 1e-14);
+  EXPECT_NEAR(ellipsoidVolume(sigma), 4 * pi / 3 * 3, 1e-14);
   EXPECT_NEAR(conditionNumber(sigma), 6, 1e-14);
   EXPECT_NEAR(directionalManipulability(sigma), ellipsoidVolume(sigma) / conditionNumber(sigma), 1e-14);
   const Eigen::Vector2d flat(3, 2);
-  EXPECT_NEAR(ellipsoidVolume(flat), kPi * 6, 1e-14);
+  EXPECT_NEAR(ellipsoidVolume(flat), pi * 6, 1e-14);
   EXPECT_NEAR(directionalManipulability(flat), ellipsoidVolume(flat) / conditionNumber(flat), 1e-14);
 }
 
@@ -40,7 +40,7 @@ TEST(Criterion, IsDefinedAtSingularPoses) {
 TEST(Dexterity, IsTheEllipsoidOfTheSingularValueDecomposition) {
   test::Random random(1);
   for (int i = 0; i < 100; ++i) {
-    const Jacobian J = kArm.jacobian(random.vector<JointVector>(-kPi, kPi));
+    const Jacobian J = kArm.jacobian(random.vector<JointVector>(-pi, pi));
     for (const bool turning : {false, true}) {
       const Dexterity dexterity = turning ? rotationalDexterity(J) : translationalDexterity(J);
       const Eigen::MatrixXd block = turning ? J.bottomRows<3>() : J.topRows<3>();
@@ -153,7 +153,7 @@ int holdAgainstDifferences(const Block& block, const std::function<JointVector(t
 }
 
 JointVector anyAngles(test::Random& random) {
-  return random.vector<JointVector>(-kPi, kPi);
+  return random.vector<JointVector>(-pi, pi);
 }
 
 TEST(CriterionGradient, OfTheFullBlocksIsWhatCentralDifferencesSay) {
@@ -167,12 +167,12 @@ TEST(CriterionGradient, OfTheFullBlocksIsWhatCentralDifferencesSay) {
 TEST(CriterionGradient, OfThePartitionedBlocksIsWhatCentralDifferencesSay) {
   const auto scara = [](test::Random& random) {
     JointVector q = JointVector::Zero();  // joints 6 and 7 upright: the wrist centre is where link 4 ends
-    q.head<4>() = random.vector<Eigen::Vector4d>(-kPi, kPi);
+    q.head<4>() = random.vector<Eigen::Vector4d>(-pi, pi);
     return q;
   };
   const auto handle = [](test::Random& random) {
     JointVector q = JointVector::Zero();
-    q.tail<6>() = random.vector<Vector6>(-kPi, kPi);
+    q.tail<6>() = random.vector<Vector6>(-pi, pi);
     q[5] = q[6] = 0;
     return q;
   };

@@ -7,19 +7,19 @@
 
 #include "device/kinematics/Vishard10.h"
 #include "device/redundancy/FullSolution.h"
+#include "tests/device/PaperArm.h"
 #include "tests/support/Random.h"
 
 namespace haptiv {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-const Vishard10 kArm{LinkLengths{}};
+using std::numbers::pi;
 
 TEST(DriftCorrection, IsTheRotationVectorRightUpToHalfATurn) {
   test::Random random(4);
   for (int i = 0; i < 500; ++i) {
     const Vector3 axis = random.vector<Vector3>(-1, 1).normalized();
-    const double angle = i % 5 == 0 ? kPi - 1e-6 : random.between(0, kPi);
+    const double angle = i % 5 == 0 ? pi - 1e-6 : random.between(0, pi);
     Pose actual, desired;
     actual.rotation = Eigen::AngleAxisd(random.between(-3, 3), random.vector<Vector3>(-1, 1).normalized());
     actual.position = random.vector<Vector3>(-1, 1);

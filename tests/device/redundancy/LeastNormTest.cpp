@@ -8,13 +8,13 @@
 #include <numbers>
 
 #include "device/kinematics/Vishard10.h"
+#include "tests/device/PaperArm.h"
 #include "tests/support/Random.h"
 
 namespace haptiv {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-const Vishard10 kArm{LinkLengths{}};
+using std::numbers::pi;
 const ControlSettings kControl;
 
 /// As all joints serve all of the motion, and weigh the same.
@@ -31,7 +31,7 @@ TEST(LeastNormRates, AreThePseudoinverseAwayFromSingularities) {
   test::Random random(1);
   int compared = 0;
   for (int i = 0; i < 300; ++i) {
-    const Jacobian J = kArm.jacobian(random.vector<JointVector>(-kPi, kPi));
+    const Jacobian J = kArm.jacobian(random.vector<JointVector>(-pi, pi));
     if (manipulability(J) < 1.01 * kControl.singularityThreshold) continue;
     const Vector6 twist = random.vector<Vector6>(-1, 1);
     const JointVector expected = J.completeOrthogonalDecomposition().solve(twist);
@@ -114,7 +114,7 @@ TEST(LeastNormRates, SpareTheJointsThatWeighLess) {
   int compared = 0;
   for (int i = 0; i < 100; ++i) {
     const JointVector weights = random.vector<JointVector>(0.3, 1);
-    const Jacobian J = kArm.jacobian(random.vector<JointVector>(-kPi, kPi));
+    const Jacobian J = kArm.jacobian(random.vector<JointVector>(-pi, pi));
     const Jacobian weighted = J * weights.asDiagonal();
     if (manipulability(weighted) < 1.01 * kControl.singularityThreshold) continue;
     const Vector6 twist = random.vector<Vector6>(-1, 1);

@@ -13,7 +13,7 @@
 namespace haptiv {
 namespace {
 
-const JointVector kEqual = JointVector::Ones();
+const JointVector kWeights = JointVector::Ones();
 
 struct Reference {
   ResolutionChoice choice;
@@ -43,7 +43,7 @@ TEST(Normalisation, AgreesWithAnIndependentImplementation) {
   };
   const DeviceDescription description = test::circleDevice();
   for (const Reference& reference : references) {
-    const CriterionPair value = normalisation(description, reference.choice, kEqual);
+    const CriterionPair value = normalisation(description, reference.choice, kWeights);
     EXPECT_NEAR(value.translation, reference.value.translation, reference.tolerance * reference.value.translation);
     EXPECT_NEAR(value.rotation, reference.value.rotation, 0.005 * reference.value.rotation);
   }
@@ -88,7 +88,7 @@ TEST(Normalisation, FindsTheBestOfAllScaraPoses) {
     const auto best = bestOfAllPoses(r, description.links.scara);
     description.redundancy.normalisationPoses = {test::circleStart(description.links, r)};
     const auto found = [&](Strategy strategy) {
-      return normalisation(description, {strategy, Solution::partitioned}, kEqual).translation;
+      return normalisation(description, {strategy, Solution::partitioned}, kWeights).translation;
     };
     // The scan is as coarse as 1.2 degrees; the way up ends on ridges where singular values meet.
     EXPECT_NEAR(found(Strategy::man), best[0], 0.01 * best[0]) << r;
@@ -101,15 +101,15 @@ TEST(Normalisation, IsTheHomesWhereThereAreNoPoses) {
   DeviceDescription description = test::circleDevice();
   description.redundancy.normalisationPoses = {description.homeAngles};
   const ResolutionChoice choice{Strategy::man, Solution::full};
-  const CriterionPair there = normalisation(description, choice, kEqual);
+  const CriterionPair there = normalisation(description, choice, kWeights);
   description.redundancy.normalisationPoses.clear();
-  EXPECT_EQ(normalisation(description, choice, kEqual).translation, there.translation);
+  EXPECT_EQ(normalisation(description, choice, kWeights).translation, there.translation);
 }
 
 TEST(Normalisation, IsOneWhereThereIsNothingToReach) {
   DeviceDescription description = test::circleDevice();
   description.redundancy.normalisationPoses = {JointVector::Zero()};  // stretched: singular, and no gradient leads out
-  const CriterionPair value = normalisation(description, {Strategy::dir, Solution::partitioned}, kEqual);
+  const CriterionPair value = normalisation(description, {Strategy::dir, Solution::partitioned}, kWeights);
   EXPECT_EQ(value.translation, 1);
   EXPECT_EQ(value.rotation, 1);
 }

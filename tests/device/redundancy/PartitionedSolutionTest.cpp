@@ -10,13 +10,13 @@
 namespace haptiv {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 const JointVector kEqual = JointVector::Ones();
 
 /// Whether no block is damped.
 bool isRegular(const PartitionedSolution& solution, const JointVector& q, const LinkLengths& links) {
   const CriterionPair kappa = solution.values(Strategy::cond), volume = solution.values(Strategy::man);
-  const double smallestSigma = std::sqrt(volume.translation / kPi / kappa.translation);
+  const double smallestSigma = std::sqrt(volume.translation / pi / kappa.translation);
   const double lean = q[5] + q[6] / 2, half = q[6] / 2;
   const double lift = 2 * links.lift * std::hypot(std::sin(lean) * std::cos(half), std::cos(lean) * std::sin(half));
   return smallestSigma > 0.15 && kappa.rotation < 5 && lift > 0.15;
@@ -30,7 +30,7 @@ TEST(PartitionedSolution, MovesTheToolAsWantedAndLeavesItWhereItIsOtherwise) {
     DeviceDescription description = loadDeviceDescription("vishard10");
     description.tool.position = random.vector<Vector3>(-0.1, 0.1);
     description.tool.rotation = Eigen::AngleAxisd(random.between(-3, 3), Vector3::UnitY()).toRotationMatrix();
-    const JointVector q = random.vector<JointVector>(-kPi, kPi);
+    const JointVector q = random.vector<JointVector>(-pi, pi);
     const Jacobian J = ArmKinematics(description).jacobian(q);
     const PartitionedSolution solution(q, J, kEqual, description.control);
     if (!isRegular(solution, q, description.links)) continue;
@@ -87,7 +87,7 @@ TEST(PartitionedSolution, BringsLinks6And7BackToAPrismaticJointAndHoldsTheTool) 
       ASSERT_LT(rates.cwiseAbs().maxCoeff(), 4);
       q += kPeriod * rates;
     }
-    EXPECT_NEAR(std::remainder(q[5] + q[6] / 2, kPi), 0, 1e-3) << lean;
+    EXPECT_NEAR(std::remainder(q[5] + q[6] / 2, pi), 0, 1e-3) << lean;
     EXPECT_LT(worst, 1e-4) << lean;  // second order in the period: nothing takes it out here but the closed loop
   }
 }

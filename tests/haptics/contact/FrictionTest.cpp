@@ -13,13 +13,12 @@ namespace haptiv {
 namespace {
 
 using testing::boxSoup;
+using testing::kRest;
 using testing::meshWall;
 using testing::plateSoup;
 using testing::RandomShapes;
 using testing::sceneOf;
 using testing::wallBelow;
-
-const Vector3 kRest = Vector3::Zero();
 
 Wall rough(Wall wall, double staticFriction, double dynamicFriction) {
   wall.surface.staticFriction = staticFriction;

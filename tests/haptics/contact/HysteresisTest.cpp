@@ -12,12 +12,12 @@ namespace haptiv {
 namespace {
 
 using testing::boxSoup;
+using testing::kRest;
 using testing::meshWall;
 using testing::RandomShapes;
 using testing::sceneOf;
 using testing::wallBelow;
 
-const Vector3 kRest = Vector3::Zero();
 constexpr double kHysteresis = 0.001;
 
 /// A floor at z = 0, exact or of triangles.

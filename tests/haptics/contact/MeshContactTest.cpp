@@ -12,6 +12,7 @@ namespace haptiv {
 namespace {
 
 using testing::boxSoup;
+using testing::kRest;
 using testing::meshWall;
 using testing::moved;
 using testing::plateSoup;
@@ -20,8 +21,6 @@ using testing::sceneOf;
 using testing::Soup;
 using testing::sphereSoup;
 using testing::wallBelow;
-
-const Vector3 kRest = Vector3::Zero();
 
 TEST(MeshContact, FollowsTheBallInTheFreeWithoutLag) {
   RandomShapes random(1);

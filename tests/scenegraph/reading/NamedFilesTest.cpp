@@ -1,5 +1,4 @@
 #include <Inventor/VRMLnodes/SoVRMLInline.h>
-#include <Inventor/actions/SoGetPrimitiveCountAction.h>
 #include <Inventor/nodes/SoTexture2.h>
 #include <gmock/gmock.h>
 #include <sys/stat.h>
@@ -13,21 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using testing::kHeader;
 using ::testing::Not;
+using testing::put;
 using testing::ScratchFolder;
 using testing::textOf;
-
-const std::string kHeader = "#Inventor V2.1 ascii\n";
-
-void put(const fs::path& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary) << text;
-}
-
-int trianglesOf(const SceneFile& scene) {
-  SoGetPrimitiveCountAction count;
-  count.apply(scene.root.get());
-  return count.getTriangleCount();
-}
+using testing::trianglesOf;
 
 /// A scene in a folder of its own, with files beside it and outside.
 class NamedFiles : public ::testing::Test {

@@ -1,5 +1,4 @@
 #include <Inventor/SoOutput.h>
-#include <Inventor/actions/SoGetPrimitiveCountAction.h>
 #include <Inventor/actions/SoWriteAction.h>
 #include <gmock/gmock.h>
 #include <zlib.h>
@@ -14,6 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using testing::textOf;
+using testing::trianglesOf;
 
 std::string gzipped(const std::string& text) {
   std::string packed(compressBound(text.size()) + 64, '\0');
@@ -40,12 +40,6 @@ std::string binary(SoNode* root) {
   std::string text(static_cast<const char*>(bytes), size);
   std::free(bytes);
   return text;
-}
-
-int trianglesOf(const SceneFile& scene) {
-  SoGetPrimitiveCountAction count;
-  count.apply(scene.root.get());
-  return count.getTriangleCount();
 }
 
 /// What a file says of itself in comments: "# triangles: N" and, of each warning, "# expect: PART".
