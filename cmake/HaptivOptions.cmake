@@ -3,7 +3,8 @@ add_library(haptiv_options INTERFACE)
 target_compile_features(haptiv_options INTERFACE cxx_std_20)
 target_include_directories(haptiv_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(haptiv_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+  -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Woverloaded-virtual
+  $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>  # what another file declares is no shadow
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 sees overlaps in std::string that are none (PR 105651)
   -ffp-contract=off)  # the same bits from every build: a log must re-simulate
 if(HAPTIV_WARNINGS_AS_ERRORS)
@@ -19,7 +20,7 @@ endif()
 # share. What stands in an anonymous namespace is then seen by the next file too.
 function(haptiv_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-  target_compile_options(${target} PRIVATE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 
 # haptiv_library(NAME SOURCES ... LINK ...): one static library per folder.

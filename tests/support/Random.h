@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <random>
 
 #include "device/types.h"
@@ -28,5 +29,10 @@ class Random {
  private:
   std::mt19937_64 engine_;
 };
+
+/// Every joint anywhere within a turn.
+inline JointVector randomAngles(Random& random) {
+  return random.vector<JointVector>(-std::numbers::pi, std::numbers::pi);
+}
 
 }  // namespace haptiv::test

@@ -15,12 +15,6 @@
 namespace haptiv {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-JointVector randomAngles(test::Random& random) {
-  return random.vector<JointVector>(-kPi, kPi);
-}
-
 /// An arm of seven joints in any directions, with bodies of any kind.
 DeviceDescription anyArm() {
   test::Random random(4);

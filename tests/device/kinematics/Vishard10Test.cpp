@@ -19,10 +19,6 @@ using std::numbers::pi;
 
 const LinkLengths kLinks;
 
-JointVector randomAngles(test::Random& random) {
-  return random.vector<JointVector>(-pi, pi);
-}
-
 TEST(Vishard10, IsStretchedAlongXAtZeroAngles) {
   const Pose X_BT = kArm.forward(JointVector::Zero());
   EXPECT_TRUE(X_BT.position.isApprox(Vector3(4 * 0.25, 0, 0.424), kRounding));
