@@ -65,10 +65,10 @@ struct ControlSettings {
 };
 
 /// When the safety circuit stops the arm                                           [paper, section III.D]
-/// They are kept for the device with a circuit of its own, which is told them when it is started; the simulated arm has
-/// none. `haptiv device check` holds the clamps against the arm's specification.
+/// They are the interface board's, docs/board.md. `haptiv device check` holds the clamps against the arm's
+/// specification.
 struct SafetyThresholds {
-  double watchdogTime = 0.02;  ///< longest time between two commands [s]
+  double watchdogTime = 0.01;  ///< longest time between two commands [s]
   /// A joint turns too fast when its encoder counts more than countThreshold within velocityTimeUnit [s].
   double velocityTimeUnit = 0.001;
   JointVector countThreshold = JointVector::Constant(512);
