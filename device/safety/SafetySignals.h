@@ -28,6 +28,12 @@ enum Trip : std::uint32_t {
   kTripEncoder = 1u << 4,        ///< an encoder is silent or jumps
   kTripCommand = 1u << 5,        ///< set-points that no drive can follow, or that are no numbers
   kTripHost = 1u << 6,           ///< the host asked for it
+  kTripPower = 1u << 7,          ///< supply or temperature of the drives
 };
+
+/// The trips' upper half says which joints were too fast or had a faulty encoder: bit 16 is joint 1.
+constexpr std::uint32_t tripJoints(std::uint16_t joints) {
+  return static_cast<std::uint32_t>(joints) << 16;
+}
 
 }  // namespace haptiv
