@@ -8,7 +8,7 @@
 #include "haptics/HapticTick.h"
 #include "haptics/realtime/RealtimeThread.h"
 #include "haptics/realtime/RecordRing.h"
-#include "haptics/realtime/TripleBuffer.h"
+#include "device/realtime/TripleBuffer.h"
 
 namespace haptiv {
 

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "device/simulated/Hand.h"
-#include "haptics/realtime/TripleBuffer.h"
+#include "device/realtime/TripleBuffer.h"
 
 namespace haptiv {
 

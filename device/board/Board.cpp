@@ -104,6 +104,7 @@ bool Board::home(const std::array<std::int32_t, kJointCount>& counts) noexcept {
   for (int i = 0; i < kJointCount; ++i)
     countOffsets_[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(counts[i]) -
                                                  static_cast<std::uint32_t>(inputs_.encoderCounts[i]));
+  homed_ = true;
   return true;
 }
 

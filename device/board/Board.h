@@ -46,6 +46,8 @@ class Board {
 
   /// Makes the encoders report these counts at the arm's present pose. False: the drives are on; nothing has changed.
   bool home(const std::array<std::int32_t, kJointCount>& counts) noexcept;
+  /// Whether the encoders have been given a zero since the board was switched on.
+  bool homed() const noexcept { return homed_; }
 
  private:
   bool fed() const noexcept { return everFed_ && now_ - fedAt_ <= thresholds_.watchdogTime; }
@@ -64,6 +66,7 @@ class Board {
   std::int64_t fedAt_ = 0;
   bool everFed_ = false;
   bool started_ = false;
+  bool homed_ = false;
 };
 
 }  // namespace haptiv

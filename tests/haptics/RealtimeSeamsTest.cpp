@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "haptics/realtime/RecordRing.h"
-#include "haptics/realtime/TripleBuffer.h"
+#include "device/realtime/TripleBuffer.h"
 
 namespace haptiv {
 namespace {
