@@ -46,6 +46,7 @@ void startAt(const Measured& measured, TickState& state) noexcept {
   state.desiredAngles = measured.angles;
   state.heldRotation = measured.arm.X_BT.rotation;
   state.admittance = {measured.p_WT, Vector3::Zero()};
+  state.passivity = {};
 }
 
 }  // namespace
@@ -55,6 +56,7 @@ HapticTick::HapticTick(const DeviceDescription& description, double period)
       period_(period),
       measure_(description, period),
       monitors_(description),
+      passivity_(description, period),
       arm_(description),
       resolution_(description) {}
 
@@ -77,8 +79,10 @@ void HapticTick::move(const HapticScene& scene, const Measured& measured, TickSt
   const DevicePlacement& device = scene.device;
   const JointVector& rateLimit = description_.drives.rateLimit;
   AdmittanceState& ball = state.admittance;
-  const Vector3 force =
-      measured.handForce + record.environmentForce + freeMotionForce(ball.velocity, state.contacts, scene.tool.damping);
+  const ControlChoice control = scene.control.value_or(description_.control.choice);
+  const Vector3 damped = passivity_(control, scene, measured, ball, state.contacts, state.passivity, record);
+  const Vector3 force = measured.handForce + record.environmentForce + damped +
+                        freeMotionForce(ball.velocity, state.contacts, scene.tool.damping);
   const Vector3 velocity = nextVelocity(ball, force, scene.tool.mass, period_);
 
   const Pose wanted{placeInBase(device, ball.position), state.heldRotation};

@@ -12,6 +12,7 @@
 #include "haptics/ResolutionBlend.h"
 #include "haptics/SceneFade.h"
 #include "haptics/TickRecord.h"
+#include "haptics/passivity/Passivity.h"
 #include "haptics/safety/Monitors.h"
 
 namespace haptiv {
@@ -26,6 +27,7 @@ struct TickState {
   ContactSet contacts;
   SceneFade fade;
   ResolutionBlend resolution;
+  PassivityState passivity;
   SessionState session = SessionState::idle;
   std::uint32_t faults = kNoFault;
 };
@@ -59,6 +61,7 @@ class HapticTick {
   double period_;
   Measuring measure_;
   Monitors monitors_;
+  Passivity passivity_;
   ArmKinematics arm_;
   RedundancyResolution resolution_;
 };

@@ -2,21 +2,30 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "device/HapticDevice.h"
+#include "device/realtime/TripleBuffer.h"
 #include "haptics/HapticTick.h"
+#include "haptics/ServoPace.h"
+#include "haptics/realtime/AwakeProcessor.h"
 #include "haptics/realtime/RealtimeThread.h"
 #include "haptics/realtime/RecordRing.h"
-#include "device/realtime/TripleBuffer.h"
+#include "haptics/realtime/TimeHistogram.h"
 
 namespace haptiv {
 
 /// What crosses between the servo thread and the others; nothing else does.
 struct ServoSeams {
+  /// @param rate  of the servo [Hz]; the ring to the log holds 6 s of it
+  explicit ServoSeams(double rate) : log(recordsToHold(rate)) {}
+
   TripleBuffer<std::shared_ptr<const HapticScene>> scene;  ///< GUI -> servo: newest valid scene
   TripleBuffer<TickRecord> display;                        ///< servo -> GUI: newest tick
   RecordRing<TickRecord> log;                              ///< servo -> log writer: every tick
+  TimeHistogram wakeUps;                                   ///< servo -> GUI: how late after its deadline it woke
+  TimeHistogram ticks;  ///< servo -> GUI: from there until all of the tick was done, the seams written too
 };
 
 /// The servo thread: wakes on absolute deadlines, reads the device, runs the tick, writes the device.
@@ -25,7 +34,7 @@ struct ServoSeams {
 /// Construct and destroy on the thread that owns the session; a scene must have been written to the seam first.
 class ServoLoop {
  public:
-  ServoLoop(HapticDevice& device, const DeviceDescription& description, double rate, ServoSeams& seams);
+  ServoLoop(HapticDevice& device, const DeviceDescription& description, const ServoPace& pace, ServoSeams& seams);
   ~ServoLoop();
   ServoLoop(const ServoLoop&) = delete;
   ServoLoop& operator=(const ServoLoop&) = delete;
@@ -35,17 +44,23 @@ class ServoLoop {
   Scheduling start();
   /// Stops thread and device; safe to call twice.
   void stop();
+  /// Part of one processor that the servo's thread has taken since it was started, 0 to 1; a simulated device's
+  /// reckoning is in it. 0 before the first start.
+  double processorShare() const;
 
  private:
   void run() noexcept;
 
   HapticDevice& device_;
   HapticTick tick_;
-  double rate_;
+  ServoPace pace_;
   Scheduling scheduling_;
+  std::optional<AwakeProcessor> awake_;  ///< while the thread runs
   ServoSeams& seams_;
   std::atomic<bool> running_ = false;
   std::thread thread_;
+  std::int64_t startedAt_ = 0;  ///< [ns]
+  double lastShare_ = 0;        ///< of the run that has ended; the thread writes it, and is then joined
 };
 
 }  // namespace haptiv

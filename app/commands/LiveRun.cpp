@@ -29,6 +29,7 @@ LiveRun runLive(const SessionSetup& setup, double seconds) {
   LiveRun run;
   run.scheduling = session.scheduling().explanation;
   run.summary = session.stop();
+  run.timing = session.timing();
   run.logTrouble = session.logTrouble();
   return run;
 }

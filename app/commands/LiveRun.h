@@ -9,6 +9,7 @@ namespace haptiv {
 /// What a session in real time came to.
 struct LiveRun {
   SessionSummary summary;
+  SessionTiming timing;
   std::string scheduling;  ///< how the servo thread ran, and what to do for better
   std::string logTrouble;  ///< empty: none
 };

@@ -27,7 +27,7 @@ std::string text(double number, int digits) {
 /// "max_force_N" -> "max force" and " N".
 std::pair<std::string, std::string> labelAndUnit(std::string name) {
   std::string unit;
-  for (const std::string_view suffix : {"N", "m", "s", "Hz"}) {
+  for (const std::string_view suffix : {"N", "m", "s", "ns", "Hz"}) {
     if (name.ends_with("_" + std::string(suffix))) {
       unit = " " + std::string(suffix);
       name.resize(name.size() - suffix.size() - 1);

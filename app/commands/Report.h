@@ -21,7 +21,8 @@ class Report {
   using List = std::vector<Report>;  ///< the table gives only its length
   using Value = std::variant<std::nullptr_t, bool, std::uint64_t, double, std::string, Numbers, Rows, Names, List>;
 
-  /// Names are lower case with underscores and, where there is one, the SI unit at the end: `_N`, `_m`, `_s`, `_Hz`.
+  /// Names are lower case with underscores and, where there is one, the SI unit at the end: `_N`, `_m`, `_s`, `_ns`,
+  /// `_Hz`.
   void add(std::string name, Value value) { items_.emplace_back(std::move(name), std::move(value)); }
   /// A part of its own with names and values; null in its place is added as a value.
   void addPart(std::string name, const Report& part) { items_.emplace_back(std::move(name), Part{{part}}); }

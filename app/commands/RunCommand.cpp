@@ -1,5 +1,6 @@
 #include "app/commands/RunCommand.h"
 
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -17,7 +18,8 @@
 namespace haptiv {
 namespace {
 
-constexpr Range kRates{500, 8000};         // [Hz]
+constexpr Range kRates{kLowestServoRate, kHighestServoRate};
+constexpr Range kSpins{0, 1000};           // [us]
 constexpr Range kLengths{0, 86400, true};  // [s], up to a day
 constexpr double kSecondsAtRest = 5;       // of a session without a hand file
 constexpr double kSecondsToSettle = 1;     // after the end of a hand file
@@ -29,6 +31,7 @@ struct RunOptions {
   std::string hand = "rest";
   std::optional<double> seconds;  // none: as long as the hand file, and a second more
   double rate = 1000;             // [Hz]
+  double spin = 50;               // [us]
   std::string strategy;           // empty: as the device description says
   std::string solution;
   std::string log;
@@ -62,6 +65,7 @@ SessionSetup setUp(const RunOptions& options, const LoadedScene& loaded) {
   setup.sceneText = loaded.file.text;
   setup.description = loaded.device;
   setup.rate = options.rate;
+  setup.spin = std::chrono::nanoseconds(std::llround(1000 * options.spin));
   if (options.hand != "rest") {
     requireReadable(options.hand);
     setup.hand = readHandFile(options.hand);
@@ -82,21 +86,23 @@ double lengthOf(const RunOptions& options, const SessionSetup& setup) {
 // What came of a session that could be run, though not everything asked for beside it may have succeeded.
 struct Outcome {
   SessionSummary summary;
-  std::string scheduling;  // empty: --fast
-  std::string trouble;     // with log or picture; empty: none
+  std::string scheduling;               // empty: --fast
+  std::optional<SessionTiming> timing;  // nothing: --fast
+  std::string trouble;                  // with log or picture; empty: none
 };
 
 Outcome run(const RunOptions& options, const SessionSetup& setup) {
   const double seconds = lengthOf(options, setup);
-  if (options.fast) return {runFast(setup, seconds), {}, {}};
+  if (options.fast) return {runFast(setup, seconds), {}, {}, {}};
   LiveRun live = runLive(setup, seconds);
-  return {std::move(live.summary), std::move(live.scheduling), std::move(live.logTrouble)};
+  return {std::move(live.summary), std::move(live.scheduling), std::move(live.timing), std::move(live.logTrouble)};
 }
 
 Report reportOf(const RunOptions& options, const SessionSetup& setup, const Outcome& outcome) {
   Report report = reportOf(outcome.summary, options.rate);
   addResolution(report, resolutionOf(*setup.scene, setup.description));
   if (!outcome.scheduling.empty()) report.add("scheduling", outcome.scheduling);
+  if (outcome.timing) addTiming(report, *outcome.timing);
   if (!options.log.empty()) report.add("log", options.log);
   if (!options.picture.empty()) report.add("picture", options.picture);
   return report;
@@ -144,6 +150,12 @@ void addRunCommand(const Command& program) {
   run.number("--seconds", options->seconds, kLengths, "How long; as long as the hand file and 1 s more, or 5 s")
       .type("S");
   run.number("--rate", options->rate, kRates, "Ticks per second, 500 to 8000").type("HZ").showDefault();
+  run.number(
+         "--spin", options->spin, kSpins,
+         "How long before each tick the servo waits awake, up to a quarter of the period: wakes in time, for a part "
+         "of a processor")
+      .type("US")
+      .showDefault();
   run.choice("--strategy", options->strategy, {"nonopt", "man", "dir", "cond"},
              "What the arm's redundancy serves; without this, as the device description says")
       .type("nonopt|man|dir|cond");

@@ -3,6 +3,19 @@
 #include "device/redundancy/ResolutionNames.h"
 
 namespace haptiv {
+namespace {
+
+Report reportOf(const TimeDistribution& times) {
+  Report report;
+  const auto add = [&](const char* name, std::int64_t time) { report.add(name, static_cast<std::uint64_t>(time)); };
+  add("p50_ns", times.quantile(0.5));
+  add("p99_ns", times.quantile(0.99));
+  add("p999_ns", times.quantile(0.999));
+  add("max_ns", times.longest);
+  return report;
+}
+
+}  // namespace
 
 Report::Names faultNames(std::uint32_t faults) {
   Report::Names names;
@@ -19,6 +32,12 @@ double sessionSeconds(const TickRecord& last, double rate) {
 void addResolution(Report& report, const ResolutionChoice& choice) {
   report.add("strategy", nameOf(choice.strategy));
   report.add("solution", nameOf(choice.solution));
+}
+
+void addTiming(Report& report, const SessionTiming& timing) {
+  report.addPart("wake_up", reportOf(timing.wakeUps));
+  report.addPart("tick_time", reportOf(timing.ticks));
+  report.add("servo_processor_share", timing.processorShare);
 }
 
 Report reportOf(const SessionSummary& summary, double rate) {

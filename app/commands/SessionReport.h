@@ -17,6 +17,9 @@ double sessionSeconds(const TickRecord& last, double rate);
 /// How the redundancy is resolved: strategy and solution by name.
 void addResolution(Report& report, const ResolutionChoice& choice);
 
+/// How punctual the servo was: how late it woke and how long its ticks took.
+void addTiming(Report& report, const SessionTiming& timing);
+
 /// What a session came to, as `haptiv run` tells it.
 Report reportOf(const SessionSummary& summary, double rate);
 

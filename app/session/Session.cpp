@@ -41,7 +41,8 @@ struct Session::Parts {
         text(setup.sceneText),
         description(setup.description),
         device(simulatedDevice(setup, handFor(setup, hand))),
-        loop(*device, setup.description, setup.rate, seams) {
+        seams(setup.rate),
+        loop(*device, setup.description, {setup.rate, setup.spin}, seams) {
     seams.scene.write(scene);
     moveHand();
     scheduling = loop.start();
@@ -138,6 +139,10 @@ bool Session::newest(TickRecord& record) {
 
 const Scheduling& Session::scheduling() const {
   return parts_->scheduling;
+}
+
+SessionTiming Session::timing() const {
+  return {parts_->seams.wakeUps.distribution(), parts_->seams.ticks.distribution(), parts_->loop.processorShare()};
 }
 
 std::string Session::logTrouble() const {

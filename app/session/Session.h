@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -19,7 +20,8 @@ struct SessionSetup {
   std::string sceneName;
   std::string sceneText;
   DeviceDescription description;
-  double rate = 1000;  ///< [Hz]
+  double rate = 1000;                                ///< [Hz]
+  std::chrono::nanoseconds spin = ServoPace().spin;  ///< how long before each tick the servo is awake
   std::uint64_t seed = 1;
   std::vector<HandWaypoint> hand;            ///< in W; empty: the hand lets go (or is live)
   bool liveHand = false;                     ///< the hand is moved by moveHand, as by the mouse
@@ -37,6 +39,13 @@ struct SessionSummary {
   TickRecord last;
   /// The next tick of the session.
   void take(const TickRecord& record);
+};
+
+/// How punctual a session's servo is.
+struct SessionTiming {
+  TimeDistribution wakeUps;   ///< how late after its deadline the servo woke
+  TimeDistribution ticks;     ///< from there until all of the tick was done, device and log included
+  double processorShare = 0;  ///< of one processor that the servo's thread takes; a simulated arm's reckoning is in it
 };
 
 /// A running session: device, servo thread and log writer around one scene. Owns all of them; several can exist.
@@ -61,6 +70,8 @@ class Session {
   /// The newest tick, for the display; true if there was a new one since the last call.
   bool newest(TickRecord& record);
   const Scheduling& scheduling() const;
+  /// Since the start, until now or, after `stop`, until then.
+  SessionTiming timing() const;
   /// What went wrong with the log so far (disk full, records lost); empty: nothing.
   std::string logTrouble() const;
   /// Stops the servo, closes the log. Safe to call twice.

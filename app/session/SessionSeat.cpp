@@ -13,9 +13,8 @@
 namespace haptiv {
 void expectUsable(const SessionSetup& setup) {
   if (!setup.scene) throw std::invalid_argument("a session needs a scene: load one without errors first");
-  if (!std::isfinite(setup.rate) || setup.rate <= 0)
-    throw std::runtime_error(
-        "the rate of a session is a positive number of ticks per second: choose one, such as 1000");
+  if (!(setup.rate > 0 && setup.rate <= kHighestServoRate))
+    throw std::runtime_error("the rate of a session is above 0, up to 8000 ticks per second: choose one, such as 1000");
   expectResolvable(resolutionOf(*setup.scene, setup.description), setup.description);
   if (!setup.log) return;
   const std::filesystem::path folder = setup.log->has_parent_path() ? setup.log->parent_path() : ".";

@@ -67,6 +67,8 @@ void MainWindow::connectParts() {
     parts_->view->redraw();
     parts_->plots->append(record);
     parts_->status->showTick(record, parts_->session->rate());
+    if (parts_->timing->isDue())
+      parts_->timing->show(parts_->session->timing(), record.missedTicks, parts_->session->rate());
   });
   connect(p.view, &SceneView::handMoved, p.session, &SessionControl::moveHand);
 
@@ -95,6 +97,8 @@ void MainWindow::enterEditing() {
   p.replay.reset();
   p.replayDock->hide();
   p.plotsDock->show();
+  p.timingDock->show();
+  p.timing->clear();
   p.problemsDock->show();
   p.plotsDock->raise();
   p.propertiesDock->raise();
@@ -144,6 +148,7 @@ void MainWindow::enterReplay(const QString& logPath) {
   connect(p.replay.get(), &ReplayStage::failed, this, &MainWindow::tell);
   p.replayBar->setPlayer(&p.replay->player());
   p.plotsDock->hide();
+  p.timingDock->hide();
   p.problemsDock->hide();
   p.replayDock->show();
   showDexterityOfReplay();

@@ -135,6 +135,8 @@ void MainWindow::buildDocks() {
   p.plotsDock = add("plotsDock", tr("Force and position"), p.plots, Qt::BottomDockWidgetArea);
   p.problemsDock = add("problemsDock", tr("Problems"), p.editor->diagnosticsList(), Qt::BottomDockWidgetArea);
   tabifyDockWidget(p.plotsDock, p.problemsDock);
+  p.timingDock = add("timingDock", tr("Timing"), p.timing, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(p.problemsDock, p.timingDock);
   p.plotsDock->raise();
   p.replayDock = add("replayDock", tr("Replay"), p.replayBar, Qt::BottomDockWidgetArea);
   p.replayDock->hide();

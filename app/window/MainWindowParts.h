@@ -10,6 +10,7 @@
 #include "app/editor/Editor.h"
 #include "app/plots/LivePlots.h"
 #include "app/replay/ReplayBar.h"
+#include "app/timing/TimingPanel.h"
 #include "app/view/SceneView.h"
 #include "app/window/MainWindow.h"
 #include "app/window/ReplayStage.h"
@@ -27,6 +28,7 @@ struct MainWindow::Parts {
         session(new SessionControl(*document, &window)),
         plots(new LivePlots(&window)),
         dexterity(new DexterityPanel(&window)),
+        timing(new TimingPanel(&window)),
         replayBar(new ReplayBar(&window)),
         status(new SessionStatus(&window)) {}
 
@@ -36,6 +38,7 @@ struct MainWindow::Parts {
   SessionControl* session;
   LivePlots* plots;
   DexterityPanel* dexterity;
+  TimingPanel* timing;
   ReplayBar* replayBar;
   SessionStatus* status;
   std::unique_ptr<ReplayStage> replay;
@@ -46,6 +49,7 @@ struct MainWindow::Parts {
   QDockWidget* propertiesDock = nullptr;
   QDockWidget* dexterityDock = nullptr;
   QDockWidget* plotsDock = nullptr;
+  QDockWidget* timingDock = nullptr;
   QDockWidget* replayDock = nullptr;
   QDockWidget* problemsDock = nullptr;
 

@@ -106,6 +106,9 @@ double SessionControl::rate() const {
 const Scheduling& SessionControl::scheduling() const {
   return parts_->scheduling;
 }
+SessionTiming SessionControl::timing() const {
+  return isRunning() ? parts_->session->timing() : SessionTiming{};
+}
 const DeviceDescription& SessionControl::description() const {
   return parts_->description;
 }

@@ -25,6 +25,8 @@ class SessionControl : public QObject {
   double rate() const;
   /// How the servo thread of the running session is scheduled.
   const Scheduling& scheduling() const;
+  /// Of the running session; of none, nothing was measured.
+  SessionTiming timing() const;
   /// The arm of the running session, or of the last one.
   const DeviceDescription& description() const;
   /// What the user has chosen for this session and those that follow; nothing: as the device description says.

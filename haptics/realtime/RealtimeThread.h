@@ -9,7 +9,8 @@ namespace haptiv {
 struct Scheduling {
   bool realtime = false;  ///< SCHED_FIFO was permitted
   bool memoryLocked = false;
-  std::string explanation;  ///< one sentence: what runs, and what to do for better
+  bool processorAwake = false;  ///< /dev/cpu_dma_latency was permitted
+  std::string explanation;      ///< one sentence: what runs, and what to do for better
 };
 
 /// Asks for SCHED_FIFO for a running thread, and for the process's memory to stay in RAM.

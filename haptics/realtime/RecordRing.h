@@ -9,9 +9,17 @@ namespace haptiv {
 
 /// A stream in which every value matters, from one writer thread to one reader thread. Where the reader falls
 /// behind, values are dropped and counted; the writer never waits.
-template <typename T, std::size_t Capacity = 8192>
+template <typename T>
 class RecordRing {
  public:
+  /// Allocates all that it will ever need, and touches it, so that the writer meets no page that is not there yet.
+  /// @param capacity  values that fit in
+  explicit RecordRing(std::size_t capacity) : queue_(capacity) {
+    while (queue_.push(T{})) {
+    }
+    queue_.reset();
+  }
+
   /// Thread: the writer.  Realtime-safe: yes.
   void push(const T& value) noexcept {
     if (!queue_.push(value)) dropped_.fetch_add(1, std::memory_order_relaxed);
@@ -27,7 +35,7 @@ class RecordRing {
   std::uint64_t dropped() const noexcept { return dropped_.load(std::memory_order_relaxed); }
 
  private:
-  boost::lockfree::spsc_queue<T> queue_{Capacity};
+  boost::lockfree::spsc_queue<T> queue_;
   std::atomic<std::uint64_t> dropped_ = 0;
 };
 

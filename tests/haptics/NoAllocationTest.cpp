@@ -74,7 +74,7 @@ TEST_F(NoAllocation, HappensInAnyTick) {
 }
 
 TEST_F(NoAllocation, HappensInHandingOverScenesAndRecords) {
-  ServoSeams seams;
+  ServoSeams seams(1000);
   seams.scene.write(std::make_shared<const HapticScene>());
   const std::size_t before = allocationsOfThisThread();
   seams.scene.update();

@@ -5,8 +5,9 @@
 #include <thread>
 #include <vector>
 
-#include "haptics/realtime/RecordRing.h"
 #include "device/realtime/TripleBuffer.h"
+#include "haptics/realtime/RecordRing.h"
+#include "haptics/realtime/TimeHistogram.h"
 
 namespace haptiv {
 namespace {
@@ -89,7 +90,7 @@ TEST(TripleBuffer, LetsWhatIsDisplacedDieOnTheWritersSide) {
 }
 
 TEST(RecordRing, KeepsTheOrderAndCountsWhatItDrops) {
-  RecordRing<int, 8> ring;
+  RecordRing<int> ring(8);
   for (int i = 0; i < 11; ++i) ring.push(i);
   EXPECT_EQ(ring.dropped(), 3u);
   std::vector<int> got;
@@ -103,7 +104,7 @@ TEST(RecordRing, KeepsTheOrderAndCountsWhatItDrops) {
 
 TEST(RecordRing, LosesNothingThatItDoesNotCountBetweenTwoThreads) {
   constexpr std::uint64_t kPushes = 200'000;
-  RecordRing<std::uint64_t, 64> ring;
+  RecordRing<std::uint64_t> ring(64);
   std::atomic<bool> done = false;
   std::thread writer([&] {
     for (std::uint64_t i = 1; i <= kPushes; ++i) ring.push(i);
@@ -122,6 +123,51 @@ TEST(RecordRing, LosesNothingThatItDoesNotCountBetweenTwoThreads) {
   ring.drain(take);
   EXPECT_TRUE(forward);
   EXPECT_EQ(got + ring.dropped(), kPushes);
+}
+
+TEST(TimeHistogram, HasBinsWithoutGapsASixteenthWide) {
+  EXPECT_EQ(TimeHistogram::binOf(-5), 0u);
+  EXPECT_EQ(TimeHistogram::binOf(std::int64_t{1} << 62), TimeHistogram::kBins - 1);
+  for (std::size_t bin = 0; bin < TimeHistogram::kBins; ++bin) {
+    const std::int64_t begin = TimeHistogram::beginOf(bin);
+    const std::int64_t end = TimeHistogram::beginOf(bin + 1);
+    EXPECT_EQ(TimeHistogram::binOf(begin), bin);
+    EXPECT_EQ(TimeHistogram::binOf(end - 1), bin);
+    EXPECT_LE(end - begin, std::max<std::int64_t>(1, begin / 16));
+  }
+}
+
+TEST(TimeHistogram, GivesQuantilesToASixteenthAndTheLongestExactly) {
+  TimeHistogram histogram;
+  EXPECT_EQ(histogram.distribution().quantile(0.5), 0);
+  for (std::int64_t time = 1; time <= 10'000; ++time) histogram.add(1000 * time);
+  const TimeDistribution times = histogram.distribution();
+  EXPECT_EQ(times.total, 10'000u);
+  EXPECT_EQ(times.longest, 10'000'000);
+  for (const double part : {0.5, 0.99, 0.999}) {
+    EXPECT_GE(times.quantile(part), 10'000'000 * part);
+    EXPECT_LE(times.quantile(part), 10'000'000 * part * 17 / 16);
+  }
+  EXPECT_EQ(times.quantile(1), 10'000'000);
+}
+
+TEST(TimeHistogram, CountsEveryTimeWhileAnotherThreadLooks) {
+  constexpr std::int64_t kTimes = 200'000;
+  TimeHistogram histogram;
+  std::thread writer([&] {
+    for (std::int64_t time = 0; time < kTimes; ++time) histogram.add(time);
+  });
+  std::uint64_t last = 0;
+  bool forward = true;
+  while (last < kTimes) {
+    const std::uint64_t total = histogram.distribution().total;
+    forward = forward && total >= last;
+    last = total;
+    std::this_thread::yield();
+  }
+  writer.join();
+  EXPECT_TRUE(forward);
+  EXPECT_EQ(histogram.distribution().total, static_cast<std::uint64_t>(kTimes));
 }
 
 }  // namespace

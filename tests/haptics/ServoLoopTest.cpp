@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 #include <vector>
@@ -31,11 +32,11 @@ class ServoLoopTest : public ::testing::Test {
 
   DeviceDescription description = loadDeviceDescription("vishard10");
   IdealArm arm{description, description.homeAngles, {1, 0, 0}};
-  ServoSeams seams;
+  ServoSeams seams{1000};
 };
 
 TEST_F(ServoLoopTest, AccountsForEveryGridPointOfHalfASecond) {
-  ServoLoop loop(arm, description, 1000, seams);
+  ServoLoop loop(arm, description, {1000}, seams);
   const Scheduling scheduling = loop.start();
   EXPECT_FALSE(scheduling.explanation.empty());
   waitForTicks(500);
@@ -54,8 +55,35 @@ TEST_F(ServoLoopTest, AccountsForEveryGridPointOfHalfASecond) {
   EXPECT_EQ(seams.display.read().tick, records.back().tick);
 }
 
+TEST_F(ServoLoopTest, CountsTheTimesOfEveryTickThatItRuns) {
+  ServoLoop loop(arm, description, {1000}, seams);
+  EXPECT_EQ(loop.processorShare(), 0);
+  loop.start();
+  waitForTicks(100);
+  EXPECT_GT(loop.processorShare(), 0);
+  loop.stop();
+  const std::vector<TickRecord> records = drain();
+  const TimeDistribution wakeUps = seams.wakeUps.distribution();
+  EXPECT_EQ(wakeUps.total, records.size());
+  EXPECT_EQ(seams.ticks.distribution().total, records.size());
+  EXPECT_EQ(records.size() + records.back().missedTicks, records.back().tick + 1);  // no grid point is forgotten
+  std::int32_t latest = 0;
+  for (const TickRecord& record : records) latest = std::max(latest, record.wakeLateness);
+  EXPECT_EQ(wakeUps.longest, latest);
+  EXPECT_GT(loop.processorShare(), 0);
+  EXPECT_LE(loop.processorShare(), 1);
+}
+
+TEST(ServoPace, SleepsThreeQuartersOfThePeriodAtLeast) {
+  using std::chrono::microseconds;
+  EXPECT_EQ((ServoPace{1000, microseconds(50)}.spinNs()), 50'000);
+  EXPECT_EQ((ServoPace{8000, microseconds(50)}.spinNs()), 31'250);
+  EXPECT_EQ((ServoPace{1000, microseconds(0)}.spinNs()), 0);
+  EXPECT_EQ((ServoPace{1000, microseconds(-1)}.spinNs()), 0);
+}
+
 TEST_F(ServoLoopTest, DoesTheSameArithmeticAsTheTickAlone) {
-  ServoLoop loop(arm, description, 1000, seams);
+  ServoLoop loop(arm, description, {1000}, seams);
   loop.start();
   waitForTicks(100);
   loop.stop();
@@ -69,7 +97,7 @@ TEST_F(ServoLoopTest, DoesTheSameArithmeticAsTheTickAlone) {
 }
 
 TEST_F(ServoLoopTest, TakesANewSceneOverWhileItRuns) {
-  ServoLoop loop(arm, description, 1000, seams);
+  ServoLoop loop(arm, description, {1000}, seams);
   loop.start();
   waitForTicks(20);
   for (std::uint32_t version = 1; version <= 200; ++version) {
@@ -91,7 +119,7 @@ TEST_F(ServoLoopTest, TakesANewSceneOverWhileItRuns) {
 }
 
 TEST_F(ServoLoopTest, StopsTheDeviceAndCanBeStartedAgain) {
-  ServoLoop loop(arm, description, 1000, seams);
+  ServoLoop loop(arm, description, {1000}, seams);
   for (int run = 0; run < 2; ++run) {
     loop.start();
     EXPECT_TRUE(arm.running);
@@ -106,8 +134,8 @@ TEST_F(ServoLoopTest, StopsTheDeviceAndCanBeStartedAgain) {
 }
 
 TEST_F(ServoLoopTest, RefusesToStartWithoutAScene) {
-  ServoSeams empty;
-  ServoLoop loop(arm, description, 1000, empty);
+  ServoSeams empty(1000);
+  ServoLoop loop(arm, description, {1000}, empty);
   EXPECT_THROW(loop.start(), std::logic_error);
   EXPECT_FALSE(arm.running);
 }
