@@ -40,6 +40,8 @@ struct SurfaceProperties {
   double hysteresis = 0;       ///< [m]
   double staticFriction = 0;   ///< [1]
   double dynamicFriction = 0;  ///< [1]
+  /// Damping while moving out too, which sticks: to compare with, `haptiv bench wall`. Not of the .iv, nor of a log.
+  bool dampsOutwards = false;
 };
 
 /// A shape that keeps the tool out.

@@ -101,7 +101,9 @@ Vector3 wallForces(const HapticScene& scene, const Vector3& velocity, ContactSet
   for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
     Contact& contact = contacts.contact[i];
     const SurfaceProperties& surface = wallOf(scene, contact).surface;
-    contact.force = (surface.stiffness * contact.elasticDepth() + surface.damping * inwards.share[i]) * contact.normal;
+    const double speed = surface.dampsOutwards ? -contact.normal.dot(velocity) : inwards.share[i];
+    const double push = surface.stiffness * contact.elasticDepth() + surface.damping * speed;
+    contact.force = std::max(push, 0.0) * contact.normal;
     sum += contact.force;
   }
   return sum;

@@ -15,6 +15,9 @@ void benchIk(BenchRun& run);
 /// Ticks into a session log on the disk that holds temporary files.
 void benchLog(BenchRun& run);
 
+/// Which walls the simulated arm can show without shaking, by stiffness and damping.
+void benchWall(BenchRun& run);
+
 struct Bench {
   const char* name;
   void (*run)(BenchRun& run);
@@ -22,7 +25,8 @@ struct Bench {
 
 /// All there are, in the order in which they run.
 inline constexpr Bench kBenches[] = {
-    {"tick", benchTick}, {"collision", benchCollision}, {"ik", benchIk}, {"compile", benchCompile}, {"log", benchLog},
+    {"tick", benchTick}, {"collision", benchCollision}, {"ik", benchIk}, {"compile", benchCompile},
+    {"log", benchLog},   {"wall", benchWall},
 };
 
 }  // namespace haptiv

@@ -7,15 +7,23 @@
 #include <memory>
 
 #include "app/bench/Benches.h"
+#include "app/bench/wall/WallTables.h"
 #include "app/commands/ExitCode.h"
 #include "app/commands/Report.h"
+#include "app/commands/WallMapReport.h"
+#include "haptics/ServoPace.h"
 #include "scenegraph/SceneFile.h"
 
 namespace haptiv {
 namespace {
 
+constexpr Range kRates{kLowestServoRate, kHighestServoRate};
+
 struct BenchOptions {
   std::vector<std::string> names;
+  std::string device = "vishard10";
+  double rate = 1000;  // [Hz]
+  std::string out;     // empty: no files
   bool json = false;
 };
 
@@ -57,20 +65,21 @@ std::string notesOf(const BenchResult& result) {
   return notes;
 }
 
-void printTable(const std::vector<BenchResult>& results) {
+void printTable(const BenchRun& run) {
   std::printf("%-26s %8s %10s %10s %12s  %s\n", "", "n", "median", "p99", "peer median", "");
-  for (const BenchResult& result : results) {
+  for (const BenchResult& result : run.results()) {
     const std::string peer = result.peerMedianNs ? timeText(*result.peerMedianNs) : "-";
     std::printf("%-26s %8llu %10s %10s %12s  %s%s%s\n", result.name.c_str(), static_cast<unsigned long long>(result.n),
                 timeText(result.medianNs).c_str(), timeText(result.p99Ns).c_str(), peer.c_str(), result.peer.c_str(),
                 result.peer.empty() || result.notes.empty() ? "" : "; ", notesOf(result).c_str());
   }
+  if (run.wallMap()) std::fputs(wallTable(*run.wallMap()).c_str(), stdout);
   std::fflush(stdout);
 }
 
-void printJson(const std::vector<BenchResult>& results) {
+void printJson(const BenchRun& run) {
   Report::List list;
-  for (const BenchResult& result : results) {
+  for (const BenchResult& result : run.results()) {
     Report& entry = list.emplace_back();
     entry.add("name", result.name);
     entry.add("n", result.n);
@@ -82,21 +91,23 @@ void printJson(const std::vector<BenchResult>& results) {
   }
   Report report;
   report.add("results", std::move(list));
+  if (run.wallMap()) report.addPart("wall_map", reportOf(*run.wallMap()));
   report.print(true);
 }
 
 int runBenches(const BenchOptions& options) {
   requireKnown(options.names);
   initSceneGraph();
-  BenchRun run;
+  BenchRun run({loadDeviceDescription(options.device), options.rate, {}});
   for (const Bench& bench : kBenches) {
     if (options.names.empty() || std::ranges::find(options.names, bench.name) != options.names.end()) bench.run(run);
   }
   if (options.json) {
-    printJson(run.results());
+    printJson(run);
   } else {
-    printTable(run.results());
+    printTable(run);
   }
+  if (run.wallMap() && !options.out.empty()) writeWallFiles(*run.wallMap(), options.out);
   return kGood;
 }
 
@@ -106,6 +117,12 @@ void addBenchCommand(const Command& program) {
   const auto options = std::make_shared<BenchOptions>();
   const Command bench = program.add("bench", "Measure the program itself", [options] { return runBenches(*options); });
   bench.list("BENCH", options->names, ("Which ones, with commas between: " + allNames() + "; none: all").c_str());
+  bench.text("--device", options->device, "Of wall: the arm, a built-in description or a file")
+      .type("DESCRIPTION")
+      .showDefault();
+  bench.number("--rate", options->rate, kRates, "Of wall: ticks per second, 500 to 8000").type("HZ").showDefault();
+  bench.path("--out", options->out, "Of wall: a folder for the map as PNG and CSV; made where it is missing")
+      .type("DIR");
   bench.json(options->json);
 }
 
