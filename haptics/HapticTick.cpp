@@ -2,18 +2,14 @@
 
 #include <algorithm>
 
-#include "device/redundancy/DriftCorrection.h"
-#include "device/redundancy/JointLimiter.h"
-#include "haptics/DeviceFrames.h"
-#include "haptics/FreeMotion.h"
 #include "haptics/Zones.h"
 
 namespace haptiv {
 namespace {
 
-bool isFinite(const TickState& state, const TickRecord& record) noexcept {
-  return state.admittance.position.allFinite() && state.admittance.velocity.allFinite() &&
-         state.desiredAngles.allFinite() && state.fade.felt.allFinite() && record.command.jointRates.allFinite();
+bool isFinite(const TickState& state, const DeviceCommand& command) noexcept {
+  return state.control.allFinite() && state.fade.felt.allFinite() && command.jointRates.allFinite() &&
+         command.jointTorques.allFinite();
 }
 
 const Contact* deepest(const ContactSet& contacts) noexcept {
@@ -30,38 +26,27 @@ TickRecord recordOf(const HapticScene& scene, const DeviceReading& reading, cons
   record.sceneVersion = scene.version;
   record.reading = reading;
   record.jointAngles = measured.angles;
-  record.desiredAngles = state.desiredAngles;
+  record.desiredAngles = state.control.desiredAngles;
   record.position = measured.p_WT;
-  record.desiredPosition = state.admittance.position;
-  record.desiredVelocity = state.admittance.velocity;
+  record.desiredPosition = state.control.admittance.position;
+  record.desiredVelocity = state.control.admittance.velocity;
   record.handForce = measured.handForce;
   record.handTorque = measured.handTorque;
   record.state = state.session;
   return record;
 }
 
-/// The virtual mass at rest where the arm is.
-void startAt(const Measured& measured, TickState& state) noexcept {
-  state.started = true;
-  state.desiredAngles = measured.angles;
-  state.heldRotation = measured.arm.X_BT.rotation;
-  state.admittance = {measured.p_WT, Vector3::Zero()};
-  state.passivity = {};
-}
-
 }  // namespace
 
 HapticTick::HapticTick(const DeviceDescription& description, double period)
-    : description_(description),
-      period_(period),
+    : period_(period),
       measure_(description, period),
       monitors_(description),
       passivity_(description, period),
-      arm_(description),
-      resolution_(description) {}
+      control_(description, period) {}
 
-void HapticTick::feel(const HapticScene& scene, TickState& state, TickRecord& record) const noexcept {
-  const ToolMotion tool{state.admittance.position, state.admittance.velocity, scene.tool.radius};
+void HapticTick::feel(const HapticScene& scene, const ToolMotion& tool, TickState& state,
+                      TickRecord& record) const noexcept {
   const Vector3 walls = renderWalls(scene, tool, state.contacts);
   int zones = 0;
   const Vector3 raw = walls + renderZones(scene, tool, zones);
@@ -74,55 +59,37 @@ void HapticTick::feel(const HapticScene& scene, TickState& state, TickRecord& re
   }
 }
 
-void HapticTick::move(const HapticScene& scene, const Measured& measured, TickState& state,
-                      TickRecord& record) const noexcept {
-  const DevicePlacement& device = scene.device;
-  const JointVector& rateLimit = description_.drives.rateLimit;
-  AdmittanceState& ball = state.admittance;
-  const ControlChoice control = scene.control.value_or(description_.control.choice);
-  const Vector3 damped = passivity_(control, scene, measured, ball, state.contacts, state.passivity, record);
-  const Vector3 force = measured.handForce + record.environmentForce + damped +
-                        freeMotionForce(ball.velocity, state.contacts, scene.tool.damping);
-  const Vector3 velocity = nextVelocity(ball, force, scene.tool.mass, period_);
-
-  const Pose wanted{placeInBase(device, ball.position), state.heldRotation};
-  const ArmPose arm = arm_.evaluate(state.desiredAngles);
-  Vector6 twist = driftCorrection(wanted, arm.X_BT, description_.control.driftGain);
-  twist.head<3>() += device.rotation.transpose() * velocity / device.scale;
-  const ResolutionChoice choice = scene.resolution.value_or(description_.redundancy.choice);
-  const JointVector rates = state.resolution.rates(resolution_, choice, state.desiredAngles, arm.J_BT, twist, period_);
-  const double slowed = slowDownFactor(rates, rateLimit);
-
-  const JointVector error = state.desiredAngles - measured.angles;
-  const JointVector command = slowed * rates + description_.control.jointGain * error;
-  record.command.jointRates = command.cwiseMin(rateLimit).cwiseMax(-rateLimit);
-  record.command.enabled = true;
-  state.desiredAngles += slowed * period_ * rates;
-  ball.velocity = slowed * velocity;
-  ball.position += period_ * ball.velocity;
-}
-
 TickRecord HapticTick::operator()(const HapticScene& scene, const DeviceReading& reading, TickState& state,
                                   std::uint32_t missedTicks) const noexcept {
   const Measured measured = measure_(scene.device, reading, state.measuring);
-  state.faults |= monitors_(reading, measured, state.started ? &state.desiredAngles : nullptr);
-  if (!state.started) startAt(measured, state);
+  const ControlChoice choice = control_.choiceFor(scene);
+  const bool isLed = state.started && choice.display != DisplayMode::impedance;
+  state.faults |= monitors_(reading, measured, isLed ? &state.control.desiredAngles : nullptr);
+  if (!state.started) {
+    control_.begin(measured, state.control);
+    state.passivity = {};
+    state.started = true;
+  }
+  if (state.faults == kNoFault) control_.follow(choice, measured, state.control);
   state.session = state.faults == kNoFault ? SessionState::running : SessionState::fault;
   TickRecord record = recordOf(scene, reading, measured, state);
   record.missedTicks = missedTicks;
   if (state.faults == kNoFault) {
     TickState next = state;
     TickRecord moved = record;
-    feel(scene, next, moved);
-    move(scene, measured, next, moved);
-    if (isFinite(next, moved)) {
+    feel(scene, control_.felt(choice, scene, measured, next.control), next, moved);
+    const Vector3 damped =
+        passivity_(choice, scene, measured, next.control.admittance, next.contacts, next.passivity, moved);
+    moved.command = control_(choice, scene, measured, moved.environmentForce + damped, next.contacts, next.control);
+    if (isFinite(next, moved.command)) {
       state = next;
       return moved;
     }
     state.faults |= kFaultNotFinite;
     state.session = record.state = SessionState::fault;
   }
-  state.admittance.velocity.setZero();
+  state.control.admittance.velocity.setZero();
+  state.control.handle.rate.setZero();
   state.fade.felt.setZero();
   record.faults = state.faults;
   return record;

@@ -1,16 +1,15 @@
 #include "haptics/Measured.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "haptics/DeviceFrames.h"
 
 namespace haptiv {
-namespace {
-
-/// Of the low-pass behind the encoders' differences, in which one count is a step of up to 0.1 rad/s at 8 kHz [s].
-constexpr double kRateTimeConstant = 1e-3;
-
-}  // namespace
+Measuring::Measuring(const DeviceDescription& description, double period)
+    : description_(description),
+      arm_(description),
+      period_(period),
+      share_(-std::expm1(-period * description.control.velocityBandwidth)) {}
 
 bool Measured::allFinite() const noexcept {
   return p_WT.allFinite() && v_WT.allFinite() && handForce.allFinite() && handTorque.allFinite();
@@ -21,8 +20,7 @@ Measured Measuring::operator()(const DevicePlacement& device, const DeviceReadin
   Measured measured;
   measured.angles = description_.jointAngles(reading);
   if (state.started) {
-    const double share = std::min(1.0, period_ / kRateTimeConstant);
-    state.rates += share * ((measured.angles - state.angles) / period_ - state.rates);
+    state.rates += share_ * ((measured.angles - state.angles) / period_ - state.rates);
   }
   state.started = true;
   state.angles = measured.angles;

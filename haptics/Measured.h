@@ -29,8 +29,7 @@ struct MeasuringState {
 /// From raw counts to what they mean; the only place that knows encoders and sensor.
 class Measuring {
  public:
-  Measuring(const DeviceDescription& description, double period)
-      : description_(description), arm_(description), period_(period) {}
+  Measuring(const DeviceDescription& description, double period);
 
   /// Rates are zero in the first tick.
   /// Realtime-safe: yes.  Thread: servo.
@@ -41,6 +40,7 @@ class Measuring {
   DeviceDescription description_;
   ArmKinematics arm_;
   double period_;
+  double share_;  ///< of a new difference in the rates, one step of the low-pass
 };
 
 }  // namespace haptiv

@@ -84,7 +84,9 @@ std::optional<ControlChoice> readControl(ByteReader& in) {
   choice.display = static_cast<DisplayMode>(display);
   choice.joints = readChoice(in, JointController::computedTorque, "joint controller");
   choice.orientation = readChoice(in, OrientationMode::free, "mode of orientation");
-  choice.passivity = in.u8() != 0;
+  const std::uint8_t passivity = in.u8();
+  if (passivity > 1) in.fail("unknown choice of passivity");
+  choice.passivity = passivity == 1;
   return choice;
 }
 

@@ -7,6 +7,7 @@
 #include "app/commands/LoadedScene.h"
 #include "app/commands/Report.h"
 #include "app/commands/SessionReport.h"
+#include "app/session/SceneControl.h"
 #include "app/session/SceneResolution.h"
 #include "app/session/log/SessionLog.h"
 #include "device/DeviceDescription.h"
@@ -52,6 +53,7 @@ int describeLog(const InfoOptions& options) {
   const DeviceDescription device = parseDeviceDescription(header.deviceText, options.log + " (its device description)");
   report.add("device", device.name);
   addResolutions(report, log, device);
+  addControl(report, log.scenes().empty() ? device.control.choice : controlOf(log.scenes().front().scene, device));
   report.add("software_version", header.softwareVersion);
   report.add("git_hash", header.gitHash);
   report.add("start", header.startUtc.empty() ? Report::Value(nullptr) : header.startUtc);

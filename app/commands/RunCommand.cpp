@@ -11,8 +11,10 @@
 #include "app/commands/Picture.h"
 #include "app/commands/SessionReport.h"
 #include "app/session/HandFile.h"
+#include "app/session/SceneControl.h"
 #include "app/session/SceneResolution.h"
 #include "app/session/Session.h"
+#include "device/control/ControlNames.h"
 #include "device/redundancy/ResolutionNames.h"
 
 namespace haptiv {
@@ -34,6 +36,10 @@ struct RunOptions {
   double spin = 50;               // [us]
   std::string strategy;           // empty: as the device description says
   std::string solution;
+  std::string control;
+  std::string joints;
+  std::string orientation;
+  std::string passivity;
   std::string log;
   std::string picture;
   bool solid = false;
@@ -51,16 +57,26 @@ void refuseWhatIsNotThere(const RunOptions& options) {
 }
 
 // What is asked for; where nothing is, what the device description says.
-ResolutionChoice choiceOf(const RunOptions& options, const DeviceDescription& device) {
+ResolutionChoice resolutionChoiceOf(const RunOptions& options, const DeviceDescription& device) {
   ResolutionChoice choice = device.redundancy.choice;
   choice.strategy = strategyNamed(options.strategy).value_or(choice.strategy);
   choice.solution = solutionNamed(options.solution).value_or(choice.solution);
   return choice;
 }
 
+ControlChoice controlChoiceOf(const RunOptions& options, const DeviceDescription& device) {
+  ControlChoice choice = device.control.choice;
+  choice.display = displayModeNamed(options.control).value_or(choice.display);
+  choice.joints = jointControllerNamed(options.joints).value_or(choice.joints);
+  choice.orientation = orientationModeNamed(options.orientation).value_or(choice.orientation);
+  if (!options.passivity.empty()) choice.passivity = options.passivity == "on";
+  return choice;
+}
+
 SessionSetup setUp(const RunOptions& options, const LoadedScene& loaded) {
   SessionSetup setup;
-  setup.scene = withResolution(loaded.compiled.scene, choiceOf(options, loaded.device));
+  setup.scene = withResolution(loaded.compiled.scene, resolutionChoiceOf(options, loaded.device));
+  setup.scene = withControl(setup.scene, controlChoiceOf(options, loaded.device));
   setup.sceneName = loaded.file.path;
   setup.sceneText = loaded.file.text;
   setup.description = loaded.device;
@@ -101,6 +117,7 @@ Outcome run(const RunOptions& options, const SessionSetup& setup) {
 Report reportOf(const RunOptions& options, const SessionSetup& setup, const Outcome& outcome) {
   Report report = reportOf(outcome.summary, options.rate);
   addResolution(report, resolutionOf(*setup.scene, setup.description));
+  addControl(report, controlOf(*setup.scene, setup.description));
   if (!outcome.scheduling.empty()) report.add("scheduling", outcome.scheduling);
   if (outcome.timing) addTiming(report, *outcome.timing);
   if (!options.log.empty()) report.add("log", options.log);
@@ -162,6 +179,18 @@ void addRunCommand(const Command& program) {
   run.choice("--solution", options->solution, {"full", "partitioned"},
              "All joints at once, or position and orientation apart; without this, as the device description says")
       .type("full|partitioned");
+  run.choice("--control", options->control, {"admittance", "position-impedance", "impedance"},
+             "What the device shows of the scene: a motion, or a force; without this, as the device description says")
+      .type("admittance|position-impedance|impedance");
+  run.choice("--joints", options->joints, {"pd", "computed-torque"},
+             "How the joints follow the desired motion; without this, as the device description says")
+      .type("pd|computed-torque");
+  run.choice("--orientation", options->orientation, {"held", "free"},
+             "Whether the hand can turn the handle; without this, as the device description says")
+      .type("held|free");
+  run.choice("--passivity", options->passivity, {"on", "off"},
+             "Passivity control at the tool; without this, as the device description says")
+      .type("on|off");
   run.path("--log", options->log, "Log every tick to this HDF5 file").type("FILE.h5");
   run.path("--picture", options->picture, "Draw the end of the session, 1280 x 720; needs no display").type("FILE.png");
   run.flag("--fast", options->fast, "As fast as the machine allows, and repeatable bit for bit");

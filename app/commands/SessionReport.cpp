@@ -1,5 +1,6 @@
 #include "app/commands/SessionReport.h"
 
+#include "device/control/ControlNames.h"
 #include "device/redundancy/ResolutionNames.h"
 
 namespace haptiv {
@@ -38,6 +39,13 @@ void addTiming(Report& report, const SessionTiming& timing) {
   report.addPart("wake_up", reportOf(timing.wakeUps));
   report.addPart("tick_time", reportOf(timing.ticks));
   report.add("servo_processor_share", timing.processorShare);
+}
+
+void addControl(Report& report, const ControlChoice& choice) {
+  report.add("control", nameOf(choice.display));
+  report.add("joints", nameOf(choice.joints));
+  report.add("orientation", nameOf(choice.orientation));
+  report.add("passivity", choice.passivity);
 }
 
 Report reportOf(const SessionSummary& summary, double rate) {

@@ -20,6 +20,9 @@ void addResolution(Report& report, const ResolutionChoice& choice);
 /// How punctual the servo was: how late it woke and how long its ticks took.
 void addTiming(Report& report, const SessionTiming& timing);
 
+/// How the arm is driven: display, joint controller, orientation and passivity control by name.
+void addControl(Report& report, const ControlChoice& choice);
+
 /// What a session came to, as `haptiv run` tells it.
 Report reportOf(const SessionSummary& summary, double rate);
 

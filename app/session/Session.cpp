@@ -97,12 +97,14 @@ Session::~Session() {
 std::shared_ptr<const HapticScene> Session::publish(std::shared_ptr<const HapticScene> scene, std::string text) {
   const HapticScene& felt = *parts_->scene;
   const bool sameSeat = samePlacement(scene->device, felt.device) && scene->tool.home == felt.tool.home;
-  if (!sameSeat || scene->resolution != felt.resolution || scene->version <= felt.version) {
+  const bool sameDriving = scene->resolution == felt.resolution && scene->control == felt.control;
+  if (!sameSeat || !sameDriving || scene->version <= felt.version) {
     HapticScene taken = *scene;
     taken.version = std::max(scene->version, felt.version + 1);
     taken.device = felt.device;
     taken.tool.home = felt.tool.home;
     taken.resolution = felt.resolution;
+    taken.control = felt.control;
     scene = std::make_shared<const HapticScene>(std::move(taken));
   }
   parts_->scene = scene;

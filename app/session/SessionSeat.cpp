@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "app/session/SceneControl.h"
 #include "app/session/SceneResolution.h"
 #include "app/version.h"
 #include "device/simulated/ScriptedHand.h"
@@ -16,6 +17,7 @@ void expectUsable(const SessionSetup& setup) {
   if (!(setup.rate > 0 && setup.rate <= kHighestServoRate))
     throw std::runtime_error("the rate of a session is above 0, up to 8000 ticks per second: choose one, such as 1000");
   expectResolvable(resolutionOf(*setup.scene, setup.description), setup.description);
+  expectControllable(controlOf(*setup.scene, setup.description), setup.description);
   if (!setup.log) return;
   const std::filesystem::path folder = setup.log->has_parent_path() ? setup.log->parent_path() : ".";
   std::error_code error;

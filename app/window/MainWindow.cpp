@@ -72,6 +72,10 @@ void MainWindow::connectParts() {
   });
   connect(p.view, &SceneView::handMoved, p.session, &SessionControl::moveHand);
 
+  connect(p.control, &ControlMenu::chosen, p.session, &SessionControl::chooseControl);
+  connect(p.session, &SessionControl::started, p.control, [this] { parts_->control->setEnabled(false); });
+  connect(p.session, &SessionControl::stopped, p.control, [this] { parts_->control->setEnabled(true); });
+
   connect(p.hand, &QAction::toggled, this, [this](bool hand) {
     parts_->view->setLeftButton(hand ? SceneView::LeftButton::hand : SceneView::LeftButton::select);
   });
@@ -181,11 +185,13 @@ void MainWindow::showAtRest() {
     const std::string path = p.document->path().toStdString();
     if (const std::pair named{path, scene->device.description}; p.shownDevice != named) {
       p.description = loadDeviceDescription(named.second, path);
-      if (p.shownDevice.second != named.second) p.session->forgetResolution();  // it was chosen for another arm
+      if (p.shownDevice.second != named.second) p.session->forgetChoices();  // they were made for another arm
       p.shownDevice = named;
     }
     p.view->overlay().setUp(*scene, p.description);
     showDexterityAtRest();
+    p.control->setComputedTorquePossible(!p.description.bodies.links.empty());
+    p.control->showChoice(p.session->control().value_or(p.description.control.choice));
   } catch (const std::exception& error) {
     p.status->showState(tr("Editing"), QString::fromUtf8(error.what()));
   }

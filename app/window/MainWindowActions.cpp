@@ -71,6 +71,7 @@ void MainWindow::buildActions() {
   session->addActions({p.start, p.stop, p.closeReplay});
   session->addSeparator();
   session->addActions({p.hand, p.select});
+  menuBar()->addMenu(p.control);
   QMenu* look = menuBar()->addMenu(tr("&View"));
   look->addActions({p.fromAbove, p.showAll, p.showArm});
   look->addSeparator();

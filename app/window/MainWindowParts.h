@@ -12,6 +12,7 @@
 #include "app/replay/ReplayBar.h"
 #include "app/timing/TimingPanel.h"
 #include "app/view/SceneView.h"
+#include "app/window/ControlMenu.h"
 #include "app/window/MainWindow.h"
 #include "app/window/ReplayStage.h"
 #include "app/window/SessionControl.h"
@@ -26,6 +27,7 @@ struct MainWindow::Parts {
         document(new SceneDocument(&window)),
         editor(new Editor(*document, *view, &window)),
         session(new SessionControl(*document, &window)),
+        control(new ControlMenu(&window)),
         plots(new LivePlots(&window)),
         dexterity(new DexterityPanel(&window)),
         timing(new TimingPanel(&window)),
@@ -36,6 +38,7 @@ struct MainWindow::Parts {
   SceneDocument* document;
   Editor* editor;
   SessionControl* session;
+  ControlMenu* control;
   LivePlots* plots;
   DexterityPanel* dexterity;
   TimingPanel* timing;

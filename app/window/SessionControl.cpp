@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <exception>
 
+#include "app/session/SceneControl.h"
 #include "app/session/SceneResolution.h"
 #include "app/window/LogFolder.h"
 
@@ -25,6 +26,7 @@ struct SessionControl::Parts {
   double rate = SessionSetup{}.rate;
   DeviceDescription description;
   std::optional<ResolutionChoice> resolution;
+  std::optional<ControlChoice> control;
   QString logPath;
   QString toldTrouble;
   std::string text;         // of the scene as it was when the last command had been done
@@ -52,7 +54,7 @@ struct SessionControl::Parts {
 
   SessionSetup setup() {
     SessionSetup setup;
-    setup.scene = withResolution(document.compiled().scene, resolution);
+    setup.scene = withControl(withResolution(document.compiled().scene, resolution), control);
     setup.sceneName = document.path().toStdString();
     setup.sceneText = text;
     setup.description = description = loadDeviceDescription(setup.scene->device.description, setup.sceneName);
@@ -115,8 +117,15 @@ const DeviceDescription& SessionControl::description() const {
 const std::optional<ResolutionChoice>& SessionControl::resolution() const {
   return parts_->resolution;
 }
-void SessionControl::forgetResolution() {
+const std::optional<ControlChoice>& SessionControl::control() const {
+  return parts_->control;
+}
+void SessionControl::forgetChoices() {
   parts_->resolution.reset();
+  parts_->control.reset();
+}
+void SessionControl::chooseControl(const ControlChoice& choice) {
+  parts_->control = choice;
 }
 
 void SessionControl::chooseResolution(const ResolutionChoice& choice) {

@@ -31,8 +31,10 @@ class SessionControl : public QObject {
   const DeviceDescription& description() const;
   /// What the user has chosen for this session and those that follow; nothing: as the device description says.
   const std::optional<ResolutionChoice>& resolution() const;
+  /// How the user wants the arm driven in the sessions that follow; nothing: as the device description says.
+  const std::optional<ControlChoice>& control() const;
   /// For the sessions that follow, of another arm perhaps: as the device description says.
-  void forgetResolution();
+  void forgetChoices();
 
  public slots:
   /// Starts a session; what stands in the way is told by `failed`.
@@ -41,6 +43,8 @@ class SessionControl : public QObject {
   void stop();
   /// Resolves the redundancy in this way, at once where a session runs; what stands in the way is told by `failed`.
   void chooseResolution(const haptiv::ResolutionChoice& choice);
+  /// Drives the arm in this way from the next session on.
+  void chooseControl(const haptiv::ControlChoice& choice);
   /// Where the operator's hand wants the ball, p_WH [m]; nothing: it lets go.
   void moveHand(const std::optional<haptiv::Vector3>& p_WH);
 

@@ -44,7 +44,15 @@ Section control(ControlSettings& control) {
            {"jointGain", &control.jointGain, notNegative},
            {"singularityDamping", &control.singularityDamping, positive},
            {"singularityThreshold", &control.singularityThreshold, positive},
-           {"trackingErrorLimit", &control.trackingErrorLimit, positive}}};
+           {"trackingErrorLimit", &control.trackingErrorLimit, positive},
+           {"trackingFrequency", &control.trackingFrequency, positive},
+           {"trackingDampingRatio", &control.trackingDampingRatio, notNegative},
+           {"velocityBandwidth", &control.velocityBandwidth, positive},
+           {"rotationalInertia", &control.rotationalInertia, positive},
+           {"rotationalDamping", &control.rotationalDamping, notNegative},
+           {"orientationStiffness", &control.orientationStiffness, notNegative},
+           {"orientationDamping", &control.orientationDamping, notNegative},
+           {"selfMotionDamping", &control.selfMotionDamping, notNegative}}};
 }
 
 Section redundancy(RedundancySettings& redundancy, int joints) {

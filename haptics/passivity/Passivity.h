@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptics/Admittance.h"
+#include "haptics/control/Admittance.h"
 #include "haptics/Measured.h"
 #include "haptics/TickRecord.h"
 #include "haptics/contact/ContactSet.h"

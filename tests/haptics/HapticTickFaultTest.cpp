@@ -14,7 +14,7 @@ using testing::readingOf;
 class HapticTickFault : public HapticTickTest {
  protected:
   void expectLatched(TickState& state, std::uint32_t fault) {
-    const JointVector held = state.desiredAngles;
+    const JointVector held = state.control.desiredAngles;
     for (int i = 0; i < 10; ++i) {
       const TickRecord record = tick(scene, readingOf(description, start), state);
       EXPECT_EQ(record.faults, fault);

@@ -60,16 +60,21 @@ TEST_F(NoAllocation, HappensInAnyTick) {
     if (withBounds) computeBounds(scene);
     const HapticTick tick(description, 1e-3);
     TickState state;
-    int contacts = 0;
+    int contacts = 0, torques = 0;
     const std::size_t before = allocationsOfThisThread();
     for (int i = 0; i < 200; ++i) {
       scene.version = static_cast<std::uint32_t>(i / 50);
       scene.resolution = ResolutionChoice{static_cast<Strategy>(i / 20 % 4), static_cast<Solution>(i / 100 % 2)};
+      scene.control = ControlChoice{static_cast<DisplayMode>(i / 10 % 3), static_cast<JointController>(i / 30 % 2),
+                                    static_cast<OrientationMode>(i / 60 % 2), i % 20 < 10};
       const DeviceReading reading = readingOf(description, description.homeAngles, {1, 2, 3});
-      contacts = std::max(contacts, tick(scene, reading, state).contacts);
+      const TickRecord record = tick(scene, reading, state);
+      contacts = std::max(contacts, record.contacts);
+      torques += record.command.mode == DriveMode::torque;
     }
     EXPECT_EQ(allocationsOfThisThread() - before, 0u);
     EXPECT_GT(contacts, 0);
+    EXPECT_GT(torques, 0);
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "haptics/Admittance.h"
+#include "haptics/control/Admittance.h"
 #include "haptics/IfThenRenderer.h"
 #include "haptics/ShapeDistance.h"
 #include "tests/haptics/RandomShapes.h"

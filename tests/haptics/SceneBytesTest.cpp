@@ -23,6 +23,7 @@ HapticScene richScene() {
   scene.tool = {2.5, 4, 0.015, {0.1, 0.2, 0.3}};
   scene.device = {"arm.toml", random.vector(1), random.rotation(), 1.5};
   scene.resolution = ResolutionChoice{Strategy::cond, Solution::partitioned};
+  scene.control = ControlChoice{DisplayMode::impedance, JointController::computedTorque, OrientationMode::free, true};
   for (int i = 0; i < 8; ++i) {
     Wall wall;
     wall.id = static_cast<ShapeId>(100 + i);
@@ -64,6 +65,7 @@ TEST(SceneBytes, ReadBackToTheSameScene) {
   EXPECT_EQ(read.device.description, "arm.toml");
   EXPECT_EQ(read.device.rotation, scene.device.rotation);
   EXPECT_EQ(read.resolution, scene.resolution);
+  EXPECT_EQ(read.control, scene.control);
   ASSERT_EQ(read.walls.size(), 9u);
   EXPECT_EQ(read.walls[7].id, 107u);
   EXPECT_EQ(read.walls[7].shape.kind, Shape::Kind::cone);
@@ -80,13 +82,18 @@ TEST(SceneBytes, ReadAnEmptyScene) {
   const HapticScene read = sceneFromBytes(toBytes({}));
   EXPECT_EQ(read.walls.size(), 0u);
   EXPECT_FALSE(read.resolution);
+  EXPECT_FALSE(read.control);
 }
 
 /// Format 1 had no choice of a resolution, and arms moved by least norm.
-/// The newest form of an empty scene ends with: choice of a resolution, meshes known, new meshes, walls, zones.
+/// The newest form of an empty scene ends with: choice of a resolution, of control, meshes known, new meshes, walls,
+/// zones.
 TEST(SceneBytes, ReadTheFirstFormats) {
-  const std::ptrdiff_t counts = 2 * sizeof(std::uint32_t), meshes = counts, choice = 2;
+  const std::ptrdiff_t counts = 2 * sizeof(std::uint32_t), meshes = counts, choice = 2, control = 1;
   std::vector<std::byte> bytes = toBytes({});
+  bytes.erase(bytes.end() - counts - meshes - control, bytes.end() - counts - meshes);
+  bytes[8] = std::byte{3};
+  EXPECT_EQ(sceneFromBytes(bytes).control, std::nullopt);
   bytes.erase(bytes.end() - counts - meshes, bytes.end() - counts);
   bytes[8] = std::byte{2};
   EXPECT_EQ(sceneFromBytes(bytes).resolution, std::nullopt);

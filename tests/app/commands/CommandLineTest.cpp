@@ -56,6 +56,7 @@ TEST(CommandLine, RefusesWrongUsageWithTwoAndNamesIt) {
   expectWrongUsage({"run", "s.iv", "--log", ""}, "--log");
   expectWrongUsage({"run", "s.iv", "--device", "hammer"}, "hammer");
   expectWrongUsage({"run", "s.iv", "--strategy", "best"}, "nonopt");  // what there is
+  expectWrongUsage({"run", "s.iv", "--control", "best"}, "position-impedance");
   expectWrongUsage({"run", "s.iv", "--solution", "half"}, "partitioned");
   expectWrongUsage({"check"}, "SCENE");
   expectWrongUsage({"info"}, "LOG");

@@ -91,6 +91,37 @@ TEST_F(Run, TheStrategyIsToldLoggedAndResimulated) {
   EXPECT_EQ(runHaptiv({"replay", log, "--verify"}).code, 0);
 }
 
+TEST_F(Run, EveryWayToDriveTheArmIsToldLoggedAndResimulated) {
+  const std::string log = folder / "control.h5";
+  for (const std::string control : {"admittance", "position-impedance", "impedance"}) {
+    for (const std::string joints : {"pd", "computed-torque"}) {
+      for (const std::string orientation : {"held", "free"}) {
+        const Ended ended =
+            runHaptiv({"run", scene, "--hand", "rest", "--fast", "--seconds", "0.5", "--control", control, "--joints",
+                       joints, "--orientation", orientation, "--log", log, "--json"});
+        ASSERT_EQ(ended.code, 0) << control << joints << orientation << ended.err;
+        for (const Json& told : {ended.json(), runHaptiv({"info", log, "--json"}).json()}) {
+          EXPECT_EQ(told["control"], control);
+          EXPECT_EQ(told["joints"], joints);
+          EXPECT_EQ(told["orientation"], orientation);
+          EXPECT_EQ(told["passivity"], false);
+        }
+        EXPECT_EQ(runHaptiv({"replay", log, "--verify"}).code, 0) << control << joints << orientation;
+      }
+    }
+  }
+}
+
+TEST_F(Run, ComputedTorqueNeedsAnArmWhoseLinksAreTold) {
+  const std::string arm = folder.write("arm.toml", "schema = 1\nname = \"bare\"\n");
+  const std::string bare = folder.write("bare.iv",
+                                        "#Inventor V2.1 ascii\nHapticDevice { description \"arm.toml\" }\n"
+                                        "HapticTool { home 0.35 0 0 }\n");
+  const Ended ended = runHaptiv({"run", bare, "--fast", "--seconds", "0.1", "--joints", "computed-torque"});
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, HasSubstr("[[bodies.link]]"));
+}
+
 TEST_F(Run, AnotherArmIsResolvedInFullOnly) {
   const std::string seven = folder.write(
       "seven.iv",

@@ -6,6 +6,7 @@
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QLabel>
+#include <QMenu>
 #include <QMessageBox>
 #include <QSlider>
 #include <QTemporaryDir>
@@ -285,6 +286,28 @@ TEST_F(Window, AnEditIsFeltWhileTheSessionRuns) {
   EXPECT_GE(log.scenes().size(), 2u);
   EXPECT_EQ(log.scenes().back().scene.walls.size(), 2u);
   EXPECT_TRUE(verify(log).identical());
+}
+
+TEST_F(Window, HowTheArmIsDrivenIsChosenBeforeASessionAndStandsInItsLog) {
+  openScene(kWallAhead);
+  auto& scheme = find<QAction>("position-impedanceAction");
+  EXPECT_TRUE(find<QAction>("admittanceAction").isChecked());
+  scheme.trigger();
+  find<QAction>("freeAction").trigger();
+  EXPECT_FALSE(find<QAction>("admittanceAction").isChecked());
+  clickButton("startAction");
+  ASSERT_TRUE(waitFor([&] { return find<QAction>("stopAction").isEnabled(); }));
+  EXPECT_FALSE(find<QMenu>("controlMenu").isEnabled()) << "not while a session runs";
+  QTest::qWait(300);
+  clickButton("stopAction");
+  ASSERT_TRUE(waitFor([&] { return find<QAction>("closeReplayAction").isEnabled(); }));
+  const SessionLog log{onlyLog().toStdString()};
+  const ControlChoice chosen{DisplayMode::positionImpedance, JointController::pd, OrientationMode::free, false};
+  EXPECT_EQ(log.scenes().front().scene.control, chosen);
+  EXPECT_TRUE(verify(log).identical());
+  clickButton("closeReplayAction");
+  EXPECT_TRUE(find<QMenu>("controlMenu").isEnabled());
+  EXPECT_TRUE(scheme.isChecked()) << "for the sessions that follow too";
 }
 
 TEST_F(Window, AStrategyIsChosenBeforeASessionAndLiveAndStandsInTheReplay) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "haptics/Admittance.h"
+#include "haptics/control/Admittance.h"
 #include "haptics/IfThenRenderer.h"
 #include "tests/haptics/RandomShapes.h"
 #include "tests/haptics/meshes/SampleMeshes.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "haptics/Admittance.h"
+#include "haptics/control/Admittance.h"
 #include "haptics/IfThenRenderer.h"
 
 namespace haptiv {

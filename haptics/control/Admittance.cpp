@@ -1,4 +1,4 @@
-#include "haptics/Admittance.h"
+#include "haptics/control/Admittance.h"
 
 namespace haptiv {
 
