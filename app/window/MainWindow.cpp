@@ -60,7 +60,7 @@ void MainWindow::connectParts() {
   connect(p.session, &SessionControl::started, this, &MainWindow::enterSession);
   connect(p.session, &SessionControl::failed, this, &MainWindow::tell);
   connect(p.session, &SessionControl::troubled, this,
-          [this](const QString& trouble) { parts_->status->showState(tr("Session runs, its log does not"), trouble); });
+          [this](const QString& trouble) { parts_->status->showTrouble(tr("the log: %1").arg(trouble)); });
   connect(p.session, &SessionControl::stopped, this, [this] { enterReplay(parts_->session->logPath()); });
   connect(p.session, &SessionControl::ticked, this, [this](const TickRecord& record) {
     parts_->view->overlay().show(record);
@@ -71,6 +71,9 @@ void MainWindow::connectParts() {
       parts_->timing->show(parts_->session->timing(), record.missedTicks, parts_->session->rate());
   });
   connect(p.view, &SceneView::handMoved, p.session, &SessionControl::moveHand);
+  connect(p.operatorKeys, &OperatorKeys::pressed, p.session, &SessionControl::press);
+  connect(p.emergencyStop, &QAction::triggered, p.operatorKeys, &OperatorKeys::stopAtOnce);
+  connect(p.reset, &QAction::triggered, p.operatorKeys, &OperatorKeys::reset);
 
   connect(p.control, &ControlMenu::chosen, p.session, &SessionControl::chooseControl);
   connect(p.session, &SessionControl::started, p.control, [this] { parts_->control->setEnabled(false); });
@@ -108,6 +111,7 @@ void MainWindow::enterEditing() {
   p.propertiesDock->raise();
   for (QAction* each : {p.start, p.newScene, p.open, p.save, p.saveAs, p.select}) each->setEnabled(true);
   for (QAction* each : {p.stop, p.closeReplay, p.hand}) each->setEnabled(false);
+  setOperatorPresent(false);
   p.select->setChecked(true);
   p.editor->setEnabled(true);
   p.status->clearSession();
@@ -132,9 +136,15 @@ void MainWindow::enterSession() {
   showDexterityOfSession();
   for (QAction* each : {p.start, p.newScene, p.open}) each->setEnabled(false);
   for (QAction* each : {p.stop, p.hand}) each->setEnabled(true);
+  setOperatorPresent(true);
   p.hand->setChecked(true);
   p.status->showScheduling(p.session->scheduling());
-  p.status->showState(tr("Session runs"), tr("hold the ball with the left mouse button and pull"));
+}
+
+void MainWindow::setOperatorPresent(bool present) {
+  Parts& p = *parts_;
+  p.operatorKeys->setActive(present);
+  for (QAction* each : {p.emergencyStop, p.reset}) each->setVisible(present);
 }
 
 void MainWindow::enterReplay(const QString& logPath) {
@@ -159,6 +169,7 @@ void MainWindow::enterReplay(const QString& logPath) {
   connect(&p.replay->player(), &ReplayPlayer::timeChanged, this, &MainWindow::showDexterityOfReplay);
   p.dexterityDock->raise();
   for (QAction* each : {p.start, p.stop, p.hand, p.select, p.save, p.saveAs, p.newScene}) each->setEnabled(false);
+  setOperatorPresent(false);
   for (QAction* each : {p.open, p.closeReplay}) each->setEnabled(true);
   p.select->setChecked(true);
   p.status->clearSession();

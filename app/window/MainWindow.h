@@ -31,6 +31,8 @@ class MainWindow : public QMainWindow {
   void enterEditing();
   void enterSession();
   void enterReplay(const QString& logPath);
+  /// Whether there is an arm to be stopped: emergency stop, reset and the dead-man's key.
+  void setOperatorPresent(bool present);
   /// Says in the status bar what can be done with the scene.
   void showEditing();
   void showDocument(bool viewAll);

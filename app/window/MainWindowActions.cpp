@@ -43,6 +43,10 @@ void MainWindow::buildActions() {
   p.stop->setIcon(standardIcon(QStyle::SP_MediaStop));
   p.closeReplay = action(this, "closeReplayAction", tr("Close replay"), tr("Back to the scene"), {"Ctrl+W"});
   p.closeReplay->setIcon(standardIcon(QStyle::SP_DialogCloseButton));
+  p.emergencyStop = action(this, "emergencyStopAction", tr("Emergency stop"), tr("Brake the arm at once (Esc)"));
+  p.emergencyStop->setIcon(iconOf(WindowIcon::emergencyStop));
+  p.reset = action(this, "resetAction", tr("Reset"), tr("After a fault: make the arm ready again"), {"F7"});
+  p.reset->setIcon(standardIcon(QStyle::SP_BrowserReload));
   p.hand = action(this, "handAction", tr("Hand"), tr("The left mouse button is the hand on the ball"), {"H"}, true);
   p.select =
       action(this, "selectAction", tr("Select"), tr("The left mouse button selects and moves shapes"), {"V"}, true);
@@ -70,6 +74,8 @@ void MainWindow::buildActions() {
   QMenu* session = menuBar()->addMenu(tr("&Session"));
   session->addActions({p.start, p.stop, p.closeReplay});
   session->addSeparator();
+  session->addActions({p.emergencyStop, p.reset});
+  session->addSeparator();
   session->addActions({p.hand, p.select});
   menuBar()->addMenu(p.control);
   QMenu* look = menuBar()->addMenu(tr("&View"));
@@ -93,8 +99,9 @@ void MainWindow::buildToolBar() {
   p.editor->addSpringZone()->setIconText(tr("Spring zone"));
   p.editor->addRubberBand()->setIconText(tr("Rubber band"));
   // What users know by its picture goes without words, so that all fits into 1280 pixels.
-  for (QAction* known : {p.open, p.save, p.editor->undo(), p.editor->redo(), p.editor->remove(), p.editor->snapToGrid(),
-                         p.editor->addRubberBand(), p.editor->makeSolid(), p.fromAbove, p.showAll, p.showArm}) {
+  for (QAction* known :
+       {p.open, p.save, p.editor->undo(), p.editor->redo(), p.editor->remove(), p.editor->snapToGrid(), p.emergencyStop,
+        p.reset, p.editor->addRubberBand(), p.editor->makeSolid(), p.fromAbove, p.showAll, p.showArm}) {
     known->setPriority(QAction::LowPriority);
   }
 
@@ -105,7 +112,7 @@ void MainWindow::buildToolBar() {
   bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   bar->addActions({p.open, p.save});
   bar->addSeparator();
-  bar->addActions({p.start, p.stop, p.hand, p.select, p.closeReplay});
+  bar->addActions({p.start, p.stop, p.emergencyStop, p.reset, p.hand, p.select, p.closeReplay});
   bar->addSeparator();
   bar->addActions({p.editor->undo(), p.editor->redo()});
   bar->addSeparator();

@@ -17,6 +17,7 @@
 #include "app/window/ReplayStage.h"
 #include "app/window/SessionControl.h"
 #include "app/window/SessionStatus.h"
+#include "app/window/operator/OperatorKeys.h"
 
 namespace haptiv {
 
@@ -28,6 +29,7 @@ struct MainWindow::Parts {
         editor(new Editor(*document, *view, &window)),
         session(new SessionControl(*document, &window)),
         control(new ControlMenu(&window)),
+        operatorKeys(new OperatorKeys(window)),
         plots(new LivePlots(&window)),
         dexterity(new DexterityPanel(&window)),
         timing(new TimingPanel(&window)),
@@ -39,6 +41,7 @@ struct MainWindow::Parts {
   Editor* editor;
   SessionControl* session;
   ControlMenu* control;
+  OperatorKeys* operatorKeys;
   LivePlots* plots;
   DexterityPanel* dexterity;
   TimingPanel* timing;
@@ -63,6 +66,8 @@ struct MainWindow::Parts {
   QAction* start = nullptr;
   QAction* stop = nullptr;
   QAction* closeReplay = nullptr;
+  QAction* emergencyStop = nullptr;
+  QAction* reset = nullptr;
   QAction* hand = nullptr;
   QAction* select = nullptr;
   QAction* fromAbove = nullptr;

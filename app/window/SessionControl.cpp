@@ -175,4 +175,8 @@ void SessionControl::moveHand(const std::optional<Vector3>& p_WH) {
   if (isRunning()) parts_->session->moveHand(p_WH);
 }
 
+void SessionControl::press(std::uint16_t inputs) {
+  if (isRunning()) parts_->session->press(inputs);
+}
+
 }  // namespace haptiv

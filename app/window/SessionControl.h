@@ -47,6 +47,8 @@ class SessionControl : public QObject {
   void chooseControl(const haptiv::ControlChoice& choice);
   /// Where the operator's hand wants the ball, p_WH [m]; nothing: it lets go.
   void moveHand(const std::optional<haptiv::Vector3>& p_WH);
+  /// What else the operator presses: OperatorInput bits.
+  void press(std::uint16_t inputs);
 
  signals:
   void started();

@@ -4,6 +4,10 @@ namespace haptiv {
 
 namespace {
 
+constexpr const char* kGood = "#006b2d";
+constexpr const char* kCareful = "#8a5a00";
+constexpr const char* kBad = "#b00020";
+
 QLabel* label(QStatusBar* bar, const char* name, bool permanent) {
   auto* label = new QLabel(bar);
   label->setObjectName(name);
@@ -32,9 +36,18 @@ SessionStatus::SessionStatus(QWidget* parent) : QStatusBar(parent) {
 }
 
 void SessionStatus::showState(const QString& state, const QString& hint) {
-  state_->setText(state);
-  state_->setStyleSheet({});
-  hint_->setText(hint);
+  show(state, hint, {});
+}
+
+void SessionStatus::show(const QString& state, const QString& hint, const QString& colour) {
+  const QString style = colour.isEmpty() ? QString() : "color: " + colour;
+  if (state_->text() != state) state_->setText(state);
+  if (state_->styleSheet() != style) state_->setStyleSheet(style);
+  if (hint_->text() != hint) hint_->setText(hint);
+}
+
+void SessionStatus::showTrouble(const QString& trouble) {
+  trouble_ = trouble;
 }
 
 void SessionStatus::showTick(const TickRecord& record, double rate) {
@@ -42,10 +55,22 @@ void SessionStatus::showTick(const TickRecord& record, double rate) {
   rate_->setText(tr("%1 Hz").arg(rate, 0, 'f', 0));
   missed_->setText(tr("missed ticks: %1").arg(record.missedTicks));
   for (QLabel* label : {force_, rate_, missed_}) label->show();
-  if (record.faults != kNoFault) {
-    showState(tr("Fault: %1").arg(faultName(static_cast<Fault>(record.faults))),
-              tr("the arm is braked; stop the session to go on"));
-    state_->setStyleSheet("color: #b00020");
+  showSessionState(record);
+}
+
+void SessionStatus::showSessionState(const TickRecord& record) {
+  const auto hint = [this](const QString& usual) { return trouble_.isEmpty() ? usual : trouble_; };
+  switch (record.state) {
+    case SessionState::idle:
+      return show(tr("Starting"), hint(tr("the arm has not been read yet")), {});
+    case SessionState::ready:
+      return show(tr("Ready"), hint(tr("the arm is braked: take the ball with the left mouse button, or hold Space")),
+                  kCareful);
+    case SessionState::running:
+      return show(tr("Running"), hint(tr("pull the ball with the left mouse button; Esc stops at once")), kGood);
+    case SessionState::fault:
+      return show(tr("Fault: %1").arg(faultName(static_cast<Fault>(record.faults))),
+                  tr("the arm is braked: let go, then Reset (F7)"), kBad);
   }
 }
 
@@ -56,6 +81,7 @@ void SessionStatus::showScheduling(const Scheduling& scheduling) {
 }
 
 void SessionStatus::clearSession() {
+  trouble_.clear();
   for (QLabel* label : {force_, rate_, missed_, scheduling_}) label->hide();
 }
 

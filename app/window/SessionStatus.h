@@ -7,8 +7,8 @@
 
 namespace haptiv {
 
-/// The status bar: what state the program is in, and, of a running session, rate, missed ticks, force and how the servo
-/// runs. Thread: GUI.
+/// The status bar: what state the program is in, and, of a running session, its state, rate, missed ticks, force and
+/// how the servo runs. Thread: GUI.
 class SessionStatus : public QStatusBar {
   Q_OBJECT
  public:
@@ -17,16 +17,22 @@ class SessionStatus : public QStatusBar {
   /// State and what the user can do next, such as "Editing" and "drag a wall to move it".
   void showState(const QString& state, const QString& hint);
   void showTick(const TickRecord& record, double rate);
+  /// What is wrong with the running session's log; stands where the hints stand until the session is over.
+  void showTrouble(const QString& trouble);
   void showScheduling(const Scheduling& scheduling);
   void clearSession();
 
  private:
+  void show(const QString& state, const QString& hint, const QString& colour);
+  void showSessionState(const TickRecord& record);
+
   QLabel* state_;
   QLabel* hint_;
   QLabel* rate_;
   QLabel* missed_;
   QLabel* force_;
   QLabel* scheduling_;
+  QString trouble_;
 };
 
 }  // namespace haptiv

@@ -56,6 +56,15 @@ void drawArm(QPainter& painter) {
   painter.drawEllipse(links[3], 5, 5);
 }
 
+// The button that every laboratory knows: a red mushroom on yellow.
+void drawEmergencyStop(QPainter& painter) {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(245, 200, 40));
+  painter.drawEllipse(QPointF(24, 24), 20, 20);
+  painter.setBrush(QColor(200, 20, 30));
+  painter.drawEllipse(QPointF(24, 24), 13, 13);
+}
+
 }  // namespace
 
 QIcon iconOf(WindowIcon icon) {
@@ -70,6 +79,8 @@ QIcon iconOf(WindowIcon icon) {
       return strokeIcon(drawShowAll);
     case WindowIcon::arm:
       return strokeIcon(drawArm);
+    case WindowIcon::emergencyStop:
+      return strokeIcon(drawEmergencyStop);
   }
   return {};
 }

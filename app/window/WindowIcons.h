@@ -5,7 +5,7 @@
 namespace haptiv {
 
 /// The window's own icons, drawn in plain strokes like the editor's.
-enum class WindowIcon { hand, select, fromAbove, showAll, arm };
+enum class WindowIcon { hand, select, fromAbove, showAll, arm, emergencyStop };
 
 QIcon iconOf(WindowIcon icon);
 
