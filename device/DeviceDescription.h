@@ -72,16 +72,21 @@ struct ControlSettings {
   double selfMotionDamping = 10;       ///< in impedance display, per inertia of the rotors [1/s]
 };
 
-/// When the safety circuit stops the arm                                           [paper, section III.D]
-/// They are the interface board's, docs/board.md. `haptiv device check` holds the clamps against the arm's
-/// specification.
+/// When the safety circuit of the device stops the arm [paper, section III.D; docs/board.md], how far the host's clamps
+/// let the session go, and when the host stops it. docs/safety.md tells each in words; `haptiv device check` holds the
+/// clamps against the arm's specification.
 struct SafetyThresholds {
   double watchdogTime = 0.01;  ///< longest time between two commands [s]
   /// A joint turns too fast when its encoder counts more than countThreshold within velocityTimeUnit [s].
   double velocityTimeUnit = 0.001;
   JointVector countThreshold = JointVector::Constant(512);
-  double forceClamp = 170;  ///< largest force that a scene may ask for [N]
-  double speedClamp = 1.5;  ///< largest speed of the tool [m/s]
+  double forceClamp = 170;         ///< largest force of the scene on the ball [N]
+  double torqueClamp = 13;         ///< largest torque of the scene on the handle [N m]
+  double speedClamp = 1.5;         ///< largest speed of the tool [m/s]
+  double accelerationClamp = 100;  ///< by which the tool becomes faster, at most [m/s^2]
+  double handForceLimit = 300;     ///< more than any hand can [N]; beyond: fault
+  double oscillationSpeed = 0.1;   ///< amplitude of fast swings that do not die down [m/s]; beyond: fault
+  double missedTime = 0.5;         ///< that the servo may miss within a second [s]; beyond: fault
 };
 
 /// Everything the program knows of one device: data, never code.

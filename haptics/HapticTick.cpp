@@ -32,8 +32,20 @@ TickRecord recordOf(const HapticScene& scene, const DeviceReading& reading, cons
   record.desiredVelocity = state.control.admittance.velocity;
   record.handForce = measured.handForce;
   record.handTorque = measured.handTorque;
-  record.state = state.session;
   return record;
+}
+
+/// Nothing moves any more; where the virtual mass was is kept, to be seen.
+void halt(TickState& state) noexcept {
+  state.control.admittance.velocity.setZero();
+  state.control.handle.rate.setZero();
+  state.fade.felt.setZero();
+  state.clamps = kNoClamp;
+}
+
+Driven drivenBy(const HapticScene& scene, const TickState& state) noexcept {
+  return {state.session.now == SessionState::running, state.control.desiredAngles,
+          state.control.admittance.velocity / scene.device.scale, state.clamps};
 }
 
 }  // namespace
@@ -41,7 +53,8 @@ TickRecord recordOf(const HapticScene& scene, const DeviceReading& reading, cons
 HapticTick::HapticTick(const DeviceDescription& description, double period)
     : period_(period),
       measure_(description, period),
-      monitors_(description),
+      monitors_(description, period),
+      clamps_(description, period),
       passivity_(description, period),
       control_(description, period) {}
 
@@ -50,7 +63,7 @@ void HapticTick::feel(const HapticScene& scene, const ToolMotion& tool, TickStat
   const Vector3 walls = renderWalls(scene, tool, state.contacts);
   int zones = 0;
   const Vector3 raw = walls + renderZones(scene, tool, zones);
-  record.environmentForce = state.fade.apply(scene, raw, period_);
+  record.environmentForce = clamps_.force(state.fade.apply(scene, raw, period_), record.clamps);
   record.zones = zones;
   record.contacts = state.contacts.walls();
   if (const Contact* contact = deepest(state.contacts)) {
@@ -59,39 +72,54 @@ void HapticTick::feel(const HapticScene& scene, const ToolMotion& tool, TickStat
   }
 }
 
+void HapticTick::settle(const Measured& measured, TickState& state) const noexcept {
+  control_.begin(measured, state.control);
+  state.passivity = {};
+  state.contacts = {};
+  state.fade = {};
+  state.clamps = kNoClamp;
+}
+
+void HapticTick::run(const HapticScene& scene, const Measured& measured, TickState& state,
+                     TickRecord& record) const noexcept {
+  const ControlChoice choice = control_.choiceFor(scene);
+  control_.follow(choice, measured, state.control);
+  feel(scene, control_.felt(choice, scene, measured, state.control), state, record);
+  const Vector3 damped =
+      passivity_(choice, scene, measured, state.control.admittance, state.contacts, state.passivity, record);
+  record.command =
+      control_(choice, scene, measured, record.environmentForce + damped, state.contacts, state.control, record.clamps);
+  state.clamps = record.clamps;
+}
+
 TickRecord HapticTick::operator()(const HapticScene& scene, const DeviceReading& reading, TickState& state,
                                   std::uint32_t missedTicks) const noexcept {
   const Measured measured = measure_(scene.device, reading, state.measuring);
-  const ControlChoice choice = control_.choiceFor(scene);
-  const bool isLed = state.started && choice.display != DisplayMode::impedance;
-  state.faults |= monitors_(reading, measured, isLed ? &state.control.desiredAngles : nullptr);
-  if (!state.started) {
-    control_.begin(measured, state.control);
-    state.passivity = {};
-    state.started = true;
+  const std::uint32_t wrong = monitors_(reading, measured, drivenBy(scene, state), missedTicks, state.monitors);
+  const bool ran = state.session.now == SessionState::running;
+  state.session = next(state.session, reading.inputs, wrong);
+  const bool runs = state.session.now == SessionState::running;
+  if (state.session.now == SessionState::fault) {
+    halt(state);
+  } else if (!ran || !runs) {
+    settle(measured, state);
   }
-  if (state.faults == kNoFault) control_.follow(choice, measured, state.control);
-  state.session = state.faults == kNoFault ? SessionState::running : SessionState::fault;
   TickRecord record = recordOf(scene, reading, measured, state);
   record.missedTicks = missedTicks;
-  if (state.faults == kNoFault) {
-    TickState next = state;
-    TickRecord moved = record;
-    feel(scene, control_.felt(choice, scene, measured, next.control), next, moved);
-    const Vector3 damped =
-        passivity_(choice, scene, measured, next.control.admittance, next.contacts, next.passivity, moved);
-    moved.command = control_(choice, scene, measured, moved.environmentForce + damped, next.contacts, next.control);
-    if (isFinite(next, moved.command)) {
-      state = next;
-      return moved;
+  if (runs) {
+    TickState moved = state;
+    TickRecord attempt = record;
+    run(scene, measured, moved, attempt);
+    if (isFinite(moved, attempt.command)) {
+      state = moved;
+      record = attempt;
+    } else {
+      state.session = next(state.session, reading.inputs, kFaultNotFinite);
+      halt(state);
     }
-    state.faults |= kFaultNotFinite;
-    state.session = record.state = SessionState::fault;
   }
-  state.control.admittance.velocity.setZero();
-  state.control.handle.rate.setZero();
-  state.fade.felt.setZero();
-  record.faults = state.faults;
+  record.state = state.session.now;
+  record.faults = state.session.faults;
   return record;
 }
 

@@ -10,32 +10,35 @@
 #include "haptics/TickRecord.h"
 #include "haptics/control/ArmControl.h"
 #include "haptics/passivity/Passivity.h"
+#include "haptics/safety/Clamps.h"
 #include "haptics/safety/Monitors.h"
+#include "haptics/safety/SessionStates.h"
 
 namespace haptiv {
 
 /// All that one tick leaves for the next.
 struct TickState {
-  bool started = false;
+  SessionStates session;
   MeasuringState measuring;
+  MonitorState monitors;
   ControlState control;
   ContactSet contacts;
   SceneFade fade;
   PassivityState passivity;
-  SessionState session = SessionState::idle;
-  std::uint32_t faults = kNoFault;
+  std::uint32_t clamps = kNoClamp;  ///< that held something back in the tick before
 };
 
 /// One tick: reading in, command and record out. No thread, no clock, no allocation: the same inputs give the same
 /// bits, whether the device is simulated, on USB, or a log.
 ///
-/// The path: joint angles and wrench -> contacts and zones -> control -> set-points of the drives; docs/control.md.
-/// Under admittance control the virtual mass is inside the control loop (fig. 9): walls act on its motion, which the
-/// arm then follows.
+/// The path: joint angles and wrench -> monitors -> session state -> contacts and zones -> control -> clamps ->
+/// set-points of the drives; docs/control.md. Under admittance control the virtual mass is inside the control loop
+/// (fig. 9): walls act on its motion, which the arm then follows.
 ///
 /// All of a record belongs to the instant of its reading; desiredAngles and desiredPosition too: they are what the
-/// joint controller compares the measured ones with. After a fault the record holds what is measured, and no scene
-/// force.
+/// joint controller compares the measured ones with. Where the session is not running the arm brakes, and the record
+/// holds what is measured and no scene force. Running begins anew each time: at rest, where the arm is then, and with
+/// the scene's force fading in.
 class HapticTick {
  public:
   HapticTick(const DeviceDescription& description, double period);
@@ -46,6 +49,10 @@ class HapticTick {
                         std::uint32_t missedTicks = 0) const noexcept;
 
  private:
+  /// The virtual mass at rest where the arm is; whatever is touched there is touched anew, and fades in.
+  void settle(const Measured& measured, TickState& state) const noexcept;
+  /// Feels the scene and moves on by one period.
+  void run(const HapticScene& scene, const Measured& measured, TickState& state, TickRecord& record) const noexcept;
   /// The scene's force on the ball, into the record.
   void feel(const HapticScene& scene, const ToolMotion& tool, TickState& state, TickRecord& record) const noexcept;
 
@@ -53,6 +60,7 @@ class HapticTick {
   Measuring measure_;
   Monitors monitors_;
   Passivity passivity_;
+  Clamps clamps_;
   ArmControl control_;
 };
 

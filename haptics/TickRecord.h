@@ -35,6 +35,7 @@ struct TickRecord {
   std::int32_t deepestWall = -1;                    ///< index into HapticScene::walls, -1: none
   SessionState state = SessionState::idle;
   std::uint32_t faults = kNoFault;  ///< latched
+  std::uint32_t clamps = 0;         ///< Clamp bits: what was held back
   double passivityEnergy = 0;       ///< taken in at the tool so far, by the observer [J]
   double passivityDamping = 0;      ///< that the passivity controller adds [N s/m]
   // What went out.

@@ -36,17 +36,33 @@ void addResolutions(Report& report, const SessionLog& log, const DeviceDescripti
   report.add("resolution_changes", std::move(changes));
 }
 
+/// States, faults and trips, in order.
+Report::List eventsOf(const SessionLog& log) {
+  Report::List events;
+  for (const SessionEvent& each : log.events()) {
+    Report& event = events.emplace_back();
+    event.add("tick", each.tick);
+    event.add("time_s", static_cast<double>(each.time) / 1e9);
+    event.add("kind", nameOf(each.kind));
+    event.add("name", nameOf(each));
+  }
+  return events;
+}
+
 int describeLog(const InfoOptions& options) {
   requireReadable(options.log);
   const SessionLog log(options.log);
   const SessionHeader& header = log.header();
-  TickRecord last;
-  if (log.tickCount() > 0) last = log.ticks(log.tickCount() - 1, 1).back();
+  TickRecord first, last;
+  if (log.tickCount() > 0) {
+    first = log.ticks(0, 1).front();
+    last = log.ticks(log.tickCount() - 1, 1).back();
+  }
 
   Report report;
   report.add("complete", log.complete());
   report.add("ticks", log.tickCount());
-  report.add("duration_s", log.tickCount() > 0 ? sessionSeconds(last, header.rate) : 0.0);
+  report.add("duration_s", log.tickCount() > 0 ? static_cast<double>(last.tick - first.tick + 1) / header.rate : 0.0);
   report.add("rate_Hz", header.rate);
   report.add("scene", header.sceneName);
   report.add("scene_versions", std::uint64_t{log.scenes().size()});
@@ -61,7 +77,12 @@ int describeLog(const InfoOptions& options) {
   report.add("seed", header.seed);
   report.add("missed_ticks", std::uint64_t{last.missedTicks});
   report.add("dropped", log.dropped());
+  report.add("flight_record_of", header.fault.empty() ? Report::Value(nullptr) : header.fault);
+  report.add("first_tick", first.tick);
+  report.add("state", nameOf(last.state));
   report.add("faults", faultNames(last.faults));
+  report.add("trips", tripNames(last.reading.trips));
+  report.add("events", eventsOf(log));
   report.print(options.json);
   return kGood;
 }

@@ -10,6 +10,7 @@
 #include "app/commands/LoadedScene.h"
 #include "app/commands/Picture.h"
 #include "app/commands/SessionReport.h"
+#include "app/session/FlightRecorder.h"
 #include "app/session/HandFile.h"
 #include "app/session/SceneControl.h"
 #include "app/session/SceneResolution.h"
@@ -87,6 +88,7 @@ SessionSetup setUp(const RunOptions& options, const LoadedScene& loaded) {
     setup.hand = readHandFile(options.hand);
   }
   if (!options.log.empty()) setup.log = options.log;
+  if (options.log.empty()) setup.flights = flightFolder();
   return setup;
 }
 
@@ -125,6 +127,10 @@ Report reportOf(const RunOptions& options, const SessionSetup& setup, const Outc
   return report;
 }
 
+std::string whereToLook(const SessionSummary& summary) {
+  return summary.flights.empty() ? "see docs/safety.md" : "what led to it: " + summary.flights.back().string();
+}
+
 int runSession(const RunOptions& options) {
   refuseWhatIsNotThere(options);
   initSceneGraph();
@@ -146,9 +152,9 @@ int runSession(const RunOptions& options) {
   reportOf(options, setup, outcome).print(options.json);
   if (!outcome.trouble.empty()) throw CommandFailure(kCouldNot, outcome.trouble);
   if (outcome.summary.last.faults != kNoFault)
-    throw CommandFailure(kNotSo, std::string("the arm was stopped: ") +
-                                     faultName(static_cast<Fault>(outcome.summary.last.faults)) + " at tick " +
-                                     std::to_string(outcome.summary.last.tick) + " or before; see the log");
+    throw CommandFailure(kNotSo, "the arm was stopped: " + faultList(outcome.summary.last.faults) + " at tick " +
+                                     std::to_string(outcome.summary.last.tick) + " or before; " +
+                                     whereToLook(outcome.summary));
   return kGood;
 }
 

@@ -2,6 +2,7 @@
 
 #include "device/control/ControlNames.h"
 #include "device/redundancy/ResolutionNames.h"
+#include "haptics/safety/Clamps.h"
 
 namespace haptiv {
 namespace {
@@ -17,14 +18,6 @@ Report reportOf(const TimeDistribution& times) {
 }
 
 }  // namespace
-
-Report::Names faultNames(std::uint32_t faults) {
-  Report::Names names;
-  for (std::uint32_t bit = 1; bit != 0; bit <<= 1) {
-    if ((faults & bit) != 0) names.emplace_back(faultName(static_cast<Fault>(bit)));
-  }
-  return names;
-}
 
 double sessionSeconds(const TickRecord& last, double rate) {
   return static_cast<double>(last.tick + 1) / rate;
@@ -62,7 +55,13 @@ Report reportOf(const SessionSummary& summary, double rate) {
   report.add("final_position_m", numbers(last.position));
   report.add("final_contact_force_N", last.environmentForce.norm());
   report.add("final_penetration_m", last.penetration);
+  report.add("state", nameOf(last.state));
   report.add("faults", faultNames(last.faults));
+  report.add("trips", tripNames(last.reading.trips));
+  report.add("clamps", clampNames(summary.clamps));
+  Report::Names flights;
+  for (const std::filesystem::path& file : summary.flights) flights.push_back(file.string());
+  report.add("flight_records", std::move(flights));
   return report;
 }
 

@@ -1,15 +1,10 @@
 #pragma once
 
-#include <cstdint>
-
 #include "app/commands/Report.h"
 #include "app/session/Session.h"
 #include "haptics/TickRecord.h"
 
 namespace haptiv {
-
-/// Names of the faults that stand.
-Report::Names faultNames(std::uint32_t faults);
 
 /// Session time after this tick [s].
 double sessionSeconds(const TickRecord& last, double rate);

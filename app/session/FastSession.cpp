@@ -19,6 +19,7 @@ SessionSummary runFast(const SessionSetup& setup, double seconds) {
   if (!(ticks >= 1 && ticks <= kLongestSession))
     throw std::runtime_error("a session lasts from one tick to a billion of them: choose another number of seconds");
   const auto device = simulatedDevice(setup, scriptedHand(setup));
+  const std::unique_ptr<FlightRecorder> flights = flightRecorder(setup, headerOf(setup));
   std::unique_ptr<SessionLogWriter> log;
   if (setup.log) {
     log = std::make_unique<SessionLogWriter>(*setup.log, headerOf(setup));
@@ -28,6 +29,7 @@ SessionSummary runFast(const SessionSetup& setup, double seconds) {
   std::vector<TickRecord> block;
   const auto take = [&](const TickRecord& record) {
     summary.take(record);
+    if (flights) flights->take(record);
     if (!log) return true;
     block.push_back(record);
     if (block.size() == kTicksToDisk) {
@@ -41,6 +43,7 @@ SessionSummary runFast(const SessionSetup& setup, double seconds) {
     log->append(block);
     log->close(0);
   }
+  if (flights) summary.flights = flights->files();
   return summary;
 }
 

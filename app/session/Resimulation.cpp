@@ -31,6 +31,22 @@ TickRecord again(const HapticTick& tick, const TickRecord& logged, const std::ve
   return record;
 }
 
+/// A session can be computed again from its first tick on, by the program that knows its ticks.
+void expectWhole(const SessionLog& log) {
+  constexpr std::uint64_t kFirstWithStates = 2;
+  if (log.formatVersion() < kFirstWithStates)
+    throw std::runtime_error(
+        "the log has format 1, of a Haptiv whose sessions had no states: it can be shown and exported, but not be "
+        "re-simulated. Use the Haptiv that wrote it: `haptiv info` names its version");
+  if (log.header().fault.empty() || log.tickCount() == 0) return;
+  const std::uint64_t first = log.ticks(0, 1).front().tick;
+  if (first > 0)
+    throw std::runtime_error("this is the flight record of a fault (" + log.header().fault + ") and starts at tick " +
+                             std::to_string(first) +
+                             ", in the middle of a session: it can be shown and exported, but not be re-simulated. " +
+                             "Use the log of the whole session, where one was written");
+}
+
 /// The results of a tick, column by column.
 class Comparison {
  public:
@@ -57,6 +73,7 @@ class Comparison {
 }  // namespace
 
 void resimulate(const SessionLog& log, const std::vector<LoggedScene>& scenes, const ResimulationSink& sink) {
+  expectWhole(log);
   const DeviceDescription description = parseDeviceDescription(log.header().deviceText, "the log's device description");
   const HapticTick tick(description, 1 / log.header().rate);
   TickState state;

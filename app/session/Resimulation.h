@@ -30,7 +30,7 @@ using ResimulationSink = std::function<bool(const TickRecord& logged, const Tick
 /// Runs the logged readings through HapticTick again, with `scenes` in place of those of the log: the logged tick's
 /// version picks one of them. The hand and the arm do not react to what is changed: their readings are those of the
 /// log. Throws std::runtime_error where a scene is missing, or the log cannot be read or its device description not be
-/// used.
+/// used; and where the log is of format 1, or a flight record that starts in the middle of a session.
 void resimulate(const SessionLog& log, const std::vector<LoggedScene>& scenes, const ResimulationSink& sink);
 
 /// Runs the logged inputs through the same tick again and compares every result bit for bit.

@@ -1,28 +1,16 @@
 #include "app/session/Session.h"
 
 #include <algorithm>
-#include <array>
-#include <chrono>
-#include <ctime>
 
 #include "app/session/LiveHand.h"
 #include "app/session/SceneResolution.h"
 #include "app/session/SessionRecorder.h"
 #include "app/session/SessionSeat.h"
+#include "app/session/UtcTime.h"
 #include "haptics/DeviceFrames.h"
 
 namespace haptiv {
 namespace {
-
-/// Now, such as "2006-01-02T15:04:05Z".
-std::string utcNow() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  std::array<char, 32> text{};
-  const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return {text.data(), length};
-}
 
 std::unique_ptr<HandSource> handFor(const SessionSetup& setup, const std::shared_ptr<LiveHand::Seam>& seam) {
   if (setup.liveHand) return std::make_unique<LiveHand>(seam);
@@ -46,15 +34,15 @@ struct Session::Parts {
     seams.scene.write(scene);
     moveHand();
     scheduling = loop.start();
+    SessionHeader header = headerOf(setup);
+    header.startUtc = utcNow();
+    header.scheduling = scheduling.explanation;
     std::unique_ptr<SessionLogWriter> writer;
     if (setup.log) {
-      SessionHeader header = headerOf(setup);
-      header.startUtc = utcNow();
-      header.scheduling = scheduling.explanation;
       writer = std::make_unique<SessionLogWriter>(*setup.log, header);
       writer->addScene(*scene, setup.sceneText);
     }
-    recorder = std::make_unique<SessionRecorder>(seams.log, std::move(writer));
+    recorder = std::make_unique<SessionRecorder>(seams.log, std::move(writer), flightRecorder(setup, header));
   }
 
   void moveHand() {

@@ -26,6 +26,8 @@ struct SessionSetup {
   std::vector<HandWaypoint> hand;            ///< in W; empty: the hand lets go (or is live)
   bool liveHand = false;                     ///< the hand is moved by moveHand, as by the mouse
   std::optional<std::filesystem::path> log;  ///< none: nothing is recorded
+  /// Where to put the last ticks before a fault (FlightRecorder); none: beside the log, or nowhere without a log.
+  std::optional<std::filesystem::path> flights;
 };
 
 /// What a session came to; kept tick by tick.
@@ -36,7 +38,9 @@ struct SessionSummary {
   double maxForce = 0;         ///< of the environment on the ball [N]
   double maxPenetration = 0;   ///< [m]
   std::uint64_t contacts = 0;  ///< times the ball came to touch a wall
+  std::uint32_t clamps = 0;    ///< Clamp bits that held something back at any time
   TickRecord last;
+  std::vector<std::filesystem::path> flights;  ///< files with what led to a fault, one a fault
   /// The next tick of the session.
   void take(const TickRecord& record);
 };

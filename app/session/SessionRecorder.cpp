@@ -10,8 +10,9 @@ constexpr std::chrono::milliseconds kDrainInterval(50);
 
 }  // namespace
 
-SessionRecorder::SessionRecorder(RecordRing<TickRecord>& ring, std::unique_ptr<SessionLogWriter> writer)
-    : ring_(ring), writer_(std::move(writer)), thread_([this] { run(); }) {}
+SessionRecorder::SessionRecorder(RecordRing<TickRecord>& ring, std::unique_ptr<SessionLogWriter> writer,
+                                 std::unique_ptr<FlightRecorder> flights)
+    : ring_(ring), writer_(std::move(writer)), flights_(std::move(flights)), thread_([this] { run(); }) {}
 
 SessionRecorder::~SessionRecorder() {
   stop();
@@ -37,6 +38,7 @@ SessionSummary SessionRecorder::stop() {
   thread_.join();
   summary_.droppedRecords = ring_.dropped();
   summary_.ticks += summary_.droppedRecords;
+  if (flights_) summary_.flights = flights_->files();
   return summary_;
 }
 
@@ -66,6 +68,17 @@ void SessionRecorder::drain() {
     for (const NewScene& scene : scenes) writer_->addScene(*scene.scene, scene.text);
     writer_->append(block_);
   });
+  if (!flights_) return;
+  for (NewScene& scene : scenes) flights_->addScene(std::move(scene.scene), std::move(scene.text));
+  for (const TickRecord& record : block_) recordFlight(record);
+}
+
+void SessionRecorder::recordFlight(const TickRecord& record) {
+  try {
+    flights_->take(record);
+  } catch (const std::exception& error) {
+    tell(error.what());
+  }
 }
 
 void SessionRecorder::endLog() {

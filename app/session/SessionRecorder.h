@@ -7,19 +7,23 @@
 #include <thread>
 #include <vector>
 
+#include "app/session/FlightRecorder.h"
 #include "app/session/Session.h"
 #include "haptics/realtime/RecordRing.h"
 
 namespace haptiv {
 
-/// The log writer's thread: drains the servo's ring into the summary and, where there is one, the log.
+/// The log writer's thread: drains the servo's ring into the summary, the flight recorder and, where there is one, the
+/// log.
 ///
-/// Trouble with the log is kept as text; it stops the log, never the servo or the summary.
+/// Trouble with the log is kept as text; it stops the log, never the servo, the summary or the flight recorder.
 /// Construct, call and destroy on the thread that owns the session.
 class SessionRecorder {
  public:
-  /// @param writer  null: nothing is logged
-  SessionRecorder(RecordRing<TickRecord>& ring, std::unique_ptr<SessionLogWriter> writer);
+  /// @param writer   null: nothing is logged
+  /// @param flights  null: faults are not kept
+  SessionRecorder(RecordRing<TickRecord>& ring, std::unique_ptr<SessionLogWriter> writer,
+                  std::unique_ptr<FlightRecorder> flights = nullptr);
   ~SessionRecorder();
   SessionRecorder(const SessionRecorder&) = delete;
   SessionRecorder& operator=(const SessionRecorder&) = delete;
@@ -38,6 +42,7 @@ class SessionRecorder {
 
   void run();
   void drain();
+  void recordFlight(const TickRecord& record);
   void endLog();
   void tell(const std::string& trouble);
   /// Runs `step` on the writer; what it throws ends the log and becomes the trouble.
@@ -46,6 +51,7 @@ class SessionRecorder {
 
   RecordRing<TickRecord>& ring_;
   std::unique_ptr<SessionLogWriter> writer_;
+  std::unique_ptr<FlightRecorder> flights_;
   std::vector<TickRecord> block_;
   SessionSummary summary_;
 

@@ -47,6 +47,15 @@ std::unique_ptr<SimulatedDevice> simulatedDevice(const SessionSetup& setup, std:
   return std::make_unique<SimulatedDevice>(setup.description, start.angles, std::move(hand), setup.seed);
 }
 
+std::unique_ptr<FlightRecorder> flightRecorder(const SessionSetup& setup, const SessionHeader& header) {
+  if (!setup.log && !setup.flights) return nullptr;
+  const std::filesystem::path folder = setup.flights ? *setup.flights : setup.log->parent_path();
+  const std::string stem = setup.log ? setup.log->stem().string() : "haptiv";
+  auto recorder = std::make_unique<FlightRecorder>(header, folder.empty() ? "." : folder, stem);
+  recorder->addScene(setup.scene, setup.sceneText);
+  return recorder;
+}
+
 SessionHeader headerOf(const SessionSetup& setup) {
   SessionHeader header;
   header.sceneName = setup.sceneName;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/session/FlightRecorder.h"
 #include "app/session/Session.h"
 #include "device/simulated/SimulatedDevice.h"
 
@@ -18,6 +19,9 @@ std::unique_ptr<HandSource> scriptedHand(const SessionSetup& setup);
 
 /// The simulated arm with the tool at home. Throws std::runtime_error where home is out of the arm's reach.
 std::unique_ptr<SimulatedDevice> simulatedDevice(const SessionSetup& setup, std::unique_ptr<HandSource> hand);
+
+/// What keeps the last ticks before a fault; null where the set-up has no place for it. Knows the first scene.
+std::unique_ptr<FlightRecorder> flightRecorder(const SessionSetup& setup, const SessionHeader& header);
 
 /// The head of the log; start and scheduling, which a fast run has not, are left empty.
 SessionHeader headerOf(const SessionSetup& setup);

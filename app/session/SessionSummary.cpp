@@ -12,6 +12,7 @@ void SessionSummary::take(const TickRecord& record) {
   const bool first = ticks == 1;
   const std::int32_t before = first ? 0 : last.contacts;
   contacts += static_cast<std::uint64_t>(std::max(record.contacts - before, 0));
+  clamps |= record.clamps;
   last = record;
 }
 

@@ -69,7 +69,7 @@ void SessionStatus::showSessionState(const TickRecord& record) {
     case SessionState::running:
       return show(tr("Running"), hint(tr("pull the ball with the left mouse button; Esc stops at once")), kGood);
     case SessionState::fault:
-      return show(tr("Fault: %1").arg(faultName(static_cast<Fault>(record.faults))),
+      return show(tr("Fault: %1").arg(QString::fromStdString(faultList(record.faults))),
                   tr("the arm is braked: let go, then Reset (F7)"), kBad);
   }
 }

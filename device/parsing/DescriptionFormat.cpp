@@ -31,7 +31,12 @@ Section safety(SafetyThresholds& safety, int joints) {
            {"velocityTimeUnit", &safety.velocityTimeUnit, positive},
            {"countThreshold", JointList{&safety.countThreshold, joints}, positive},
            {"forceClamp", &safety.forceClamp, positive},
-           {"speedClamp", &safety.speedClamp, positive}}};
+           {"torqueClamp", &safety.torqueClamp, positive},
+           {"speedClamp", &safety.speedClamp, positive},
+           {"accelerationClamp", &safety.accelerationClamp, positive},
+           {"handForceLimit", &safety.handForceLimit, positive},
+           {"oscillationSpeed", &safety.oscillationSpeed, positive},
+           {"missedTime", &safety.missedTime, positive}}};
 }
 
 Section control(ControlSettings& control) {

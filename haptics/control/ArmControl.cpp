@@ -4,20 +4,11 @@
 #include "haptics/FreeMotion.h"
 
 namespace haptiv {
-namespace {
-
-JointVector within(const JointVector& values, const JointVector& limit) noexcept {
-  return values.cwiseMin(limit).cwiseMax(-limit);
-}
-
-}  // namespace
-
 ArmControl::ArmControl(const DeviceDescription& description, double period)
     : settings_(description.control),
       resolution_(description.redundancy.choice),
-      rateLimit_(description.drives.rateLimit),
-      torqueLimit_(description.drives.torqueLimit),
       period_(period),
+      clamps_(description, period),
       kinematics_(description, period),
       display_(description) {
   if (!description.bodies.links.empty()) computedTorque_.emplace(description);
@@ -72,38 +63,44 @@ DeviceCommand ArmControl::joints(JointController controller, const JointMotion& 
   command.enabled = true;
   if (controller == JointController::computedTorque && computedTorque_) {
     command.mode = DriveMode::torque;
-    command.jointTorques = within((*computedTorque_)(desired, measured, hand_B), torqueLimit_);
+    command.jointTorques = (*computedTorque_)(desired, measured, hand_B);
   } else {
     const JointVector error = desired.angles - measured.angles;
-    command.jointRates = within(desired.rates + settings_.jointGain * error, rateLimit_);
+    command.jointRates = desired.rates + settings_.jointGain * error;
   }
   return command;
 }
 
 DeviceCommand ArmControl::display(const ControlChoice& choice, const HapticScene& scene, const Measured& measured,
-                                  const Vector3& force, const ControlState& state) const noexcept {
+                                  const Vector3& force, const ControlState& state,
+                                  std::uint32_t& clamps) const noexcept {
   Wrench onTool_B;
   onTool_B.force = scene.device.rotation.transpose() * force;
-  onTool_B.torque = choice.orientation == OrientationMode::free ? display_.loose(measured)
-                                                                : display_.holding(state.handle.rotation, measured);
+  const Vector3 torque = choice.orientation == OrientationMode::free
+                             ? display_.loose(measured)
+                             : display_.holding(state.handle.rotation, measured);
+  onTool_B.torque = clamps_.torque(torque, clamps);
   DeviceCommand command;
   command.enabled = true;
   command.mode = DriveMode::torque;
-  command.jointTorques = within(display_(measured, onTool_B), torqueLimit_);
+  command.jointTorques = display_(measured, onTool_B);
+  clamps_.command(command, clamps);
   return command;
 }
 
 DeviceCommand ArmControl::operator()(const ControlChoice& choice, const HapticScene& scene, const Measured& measured,
-                                     const Vector3& sceneForce, const ContactSet& contacts,
-                                     ControlState& state) const noexcept {
+                                     const Vector3& sceneForce, const ContactSet& contacts, ControlState& state,
+                                     std::uint32_t& clamps) const noexcept {
   const DevicePlacement& device = scene.device;
   if (choice.display == DisplayMode::impedance) {
     const Vector3 slowing = freeMotionForce(measured.v_WT, contacts, scene.tool.damping);
-    return display(choice, scene, measured, sceneForce + slowing, state);
+    return display(choice, scene, measured, sceneForce + slowing, state, clamps);
   }
   const Matrix3 R_BW = device.rotation.transpose();
   const Wrench hand_B{R_BW * measured.handForce, R_BW * measured.handTorque};
-  const Vector3 velocity = ballVelocity(choice, scene, measured.handForce + sceneForce, contacts, state.admittance);
+  const Vector3 wantedVelocity =
+      ballVelocity(choice, scene, measured.handForce + sceneForce, contacts, state.admittance);
+  const Vector3 velocity = clamps_.velocity(state.admittance.velocity, wantedVelocity, device.scale, clamps);
   const Vector3 rate = handleRate(choice, hand_B.torque, state.handle);
   Vector6 twist_B;
   twist_B << R_BW * velocity / device.scale, rate;
@@ -111,7 +108,9 @@ DeviceCommand ArmControl::operator()(const ControlChoice& choice, const HapticSc
   const InverseKinematics::Motion motion =
       kinematics_(scene.resolution.value_or(resolution_), wanted, twist_B, state.desiredAngles, state.resolution);
   const JointMotion desired{state.desiredAngles, motion.rates, (motion.rates - state.desiredRates) / period_};
-  const DeviceCommand command = joints(choice.joints, desired, measured, hand_B);
+  DeviceCommand command = joints(choice.joints, desired, measured, hand_B);
+  clamps_.command(command, clamps);
+  if (motion.share < 1) clamps |= kClampJointRate;
 
   state.desiredAngles += period_ * motion.rates;
   state.desiredRates = motion.rates;

@@ -8,6 +8,7 @@
 #include "haptics/control/ControlState.h"
 #include "haptics/control/ImpedanceDisplay.h"
 #include "haptics/control/InverseKinematics.h"
+#include "haptics/safety/Clamps.h"
 
 namespace haptiv {
 
@@ -35,11 +36,13 @@ class ArmControl {
   ToolMotion felt(const ControlChoice& choice, const HapticScene& scene, const Measured& measured,
                   const ControlState& state) const noexcept;
 
-  /// Set-points for the coming period, within the drives' limits; the state goes one period on.
+  /// Set-points for the coming period, within the clamps; the state goes one period on.
   /// @param sceneForce  of the scene on the ball as it is felt, in W [N]
   /// @param contacts    of that ball: they say in which directions it is free, eq. (28)
+  /// @param clamps      gets the bits of what was held back
   DeviceCommand operator()(const ControlChoice& choice, const HapticScene& scene, const Measured& measured,
-                           const Vector3& sceneForce, const ContactSet& contacts, ControlState& state) const noexcept;
+                           const Vector3& sceneForce, const ContactSet& contacts, ControlState& state,
+                           std::uint32_t& clamps) const noexcept;
 
  private:
   Vector3 ballVelocity(const ControlChoice& choice, const HapticScene& scene, const Vector3& force,
@@ -48,13 +51,12 @@ class ArmControl {
   DeviceCommand joints(JointController controller, const JointMotion& desired, const Measured& measured,
                        const Wrench& hand_B) const noexcept;
   DeviceCommand display(const ControlChoice& choice, const HapticScene& scene, const Measured& measured,
-                        const Vector3& force, const ControlState& state) const noexcept;
+                        const Vector3& force, const ControlState& state, std::uint32_t& clamps) const noexcept;
 
   ControlSettings settings_;
   ResolutionChoice resolution_;
-  JointVector rateLimit_;
-  JointVector torqueLimit_;
   double period_;
+  Clamps clamps_;
   InverseKinematics kinematics_;
   ImpedanceDisplay display_;
   std::optional<ComputedTorque> computedTorque_;

@@ -1,39 +1,39 @@
 #include "haptics/safety/Monitors.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <limits>
+#include "haptics/safety/Faults.h"
 
 namespace haptiv {
-namespace {
 
-/// The sensor's count at the end of its range; the count itself ends at 16 bits.
-std::int32_t lastCount(double range, double resolution) {
-  constexpr double kLargest = std::numeric_limits<std::int16_t>::max();
-  return static_cast<std::int32_t>(std::min(std::floor(range / resolution), kLargest));
-}
+Monitors::Monitors(const DeviceDescription& description, double period)
+    : sensor_(description, period),
+      encoders_(description, period),
+      missed_(description.safety.missedTime, period),
+      oscillation_(description.safety.oscillationSpeed, period),
+      runaway_(period),
+      trackingErrorLimit_(description.control.trackingErrorLimit) {}
 
-}  // namespace
-
-Monitors::Monitors(const DeviceDescription& description) : trackingErrorLimit_(description.control.trackingErrorLimit) {
-  const HandleSensor& sensor = description.sensor;
-  const std::int32_t force = lastCount(sensor.forceRange, sensor.forceResolution);
-  const std::int32_t torque = lastCount(sensor.torqueRange, sensor.torqueResolution);
-  saturation_ = {force, force, force, torque, torque, torque};
-}
-
-std::uint32_t Monitors::operator()(const DeviceReading& reading, const Measured& measured,
-                                   const JointVector* desired) const noexcept {
-  std::uint32_t faults = kNoFault;
+std::uint32_t Monitors::operator()(const DeviceReading& reading, const Measured& measured, const Driven& driven,
+                                   std::uint32_t missedTicks, MonitorState& state) const noexcept {
+  std::uint32_t faults = faultsOfTrips(reading.trips);
   if (!reading.connected) faults |= kFaultDisconnected;
-  for (std::size_t i = 0; i < saturation_.size(); ++i) {
-    if (std::abs(std::int32_t{reading.sensorCounts[i]}) >= saturation_[i]) faults |= kFaultSensorSaturated;
-  }
+  if ((reading.inputs & kInputEmergencyStops) != 0) faults |= kFaultEmergencyStop;
   if (!measured.allFinite()) faults |= kFaultNotFinite;
-  if (desired != nullptr && !((*desired - measured.angles).cwiseAbs().maxCoeff() <= trackingErrorLimit_))
-    faults |= kFaultTracking;
-  return faults;
+  faults |= sensor_(reading, measured, state.sensor);
+  faults |= encoders_(reading, driven.running ? &driven.desiredAngles : nullptr, state.encoders);
+  faults |= missed_(missedTicks, state.missed);
+  return faults | motion(measured, driven, state);
+}
+
+std::uint32_t Monitors::motion(const Measured& measured, const Driven& driven, MonitorState& state) const noexcept {
+  if (!driven.running) {
+    state.oscillation = {};
+    state.runaway = 0;
+    return kNoFault;
+  }
+  const double error = (driven.desiredAngles - measured.angles).cwiseAbs().maxCoeff();
+  const std::uint32_t tracking = error <= trackingErrorLimit_ ? kNoFault : kFaultTracking;
+  return tracking | oscillation_(driven.velocity, state.oscillation) |
+         runaway_(driven.clamps, driven.velocity, measured.handForce, state.runaway);
 }
 
 }  // namespace haptiv

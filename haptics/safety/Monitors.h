@@ -1,27 +1,50 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-
-#include "haptics/Measured.h"
-#include "haptics/safety/Faults.h"
+#include "haptics/safety/EncoderMonitor.h"
+#include "haptics/safety/MissedTickBudget.h"
+#include "haptics/safety/OscillationMonitor.h"
+#include "haptics/safety/RunawayMonitor.h"
+#include "haptics/safety/SensorMonitor.h"
 
 namespace haptiv {
 
-/// What looks at a tick's inputs and finds what a session must not go on with.
+/// How the arm was driven up to this tick.
+struct Driven {
+  bool running = false;       ///< the arm follows what is desired
+  JointVector desiredAngles;  ///< that the joint controller was given [rad]
+  Vector3 velocity;           ///< of the virtual mass, at the device but along W's axes [m/s]
+  std::uint32_t clamps;       ///< Clamp bits of the tick before
+};
+
+/// What the monitors remember from tick to tick.
+struct MonitorState {
+  SensorState sensor;
+  EncoderState encoders;
+  MissedTickState missed;
+  OscillationState oscillation;
+  double runaway = 0;  ///< for how long the virtual mass has run by itself [s]
+};
+
+/// All that looks at a tick's inputs and finds what a session must not go on with, before anything is computed of it.
 class Monitors {
  public:
-  explicit Monitors(const DeviceDescription& description);
+  Monitors(const DeviceDescription& description, double period);
 
-  /// @param desired  joint angles that the joint controller was given; null where the arm follows none
-  /// @return         Fault bits of this tick, not latched
+  /// @param missedTicks  grid points that the servo has skipped so far
+  /// @return             Fault bits of this tick, not latched
   /// Realtime-safe: yes.  Thread: servo.
-  std::uint32_t operator()(const DeviceReading& reading, const Measured& measured,
-                           const JointVector* desired) const noexcept;
+  std::uint32_t operator()(const DeviceReading& reading, const Measured& measured, const Driven& driven,
+                           std::uint32_t missedTicks, MonitorState& state) const noexcept;
 
  private:
+  std::uint32_t motion(const Measured& measured, const Driven& driven, MonitorState& state) const noexcept;
+
+  SensorMonitor sensor_;
+  EncoderMonitor encoders_;
+  MissedTickBudget missed_;
+  OscillationMonitor oscillation_;
+  RunawayMonitor runaway_;
   double trackingErrorLimit_;
-  std::array<std::int32_t, 6> saturation_{};  ///< sensor counts at the end of the range
 };
 
 }  // namespace haptiv

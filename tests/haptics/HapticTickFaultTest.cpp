@@ -26,7 +26,7 @@ class HapticTickFault : public HapticTickTest {
     }
   }
   TickState running() const {
-    TickState state;
+    TickState state = ready();
     for (int i = 0; i < 5; ++i) tick(scene, readingOf(description, start), state);
     return state;
   }
@@ -94,7 +94,8 @@ TEST_F(HapticTickFault, TakesASmallTrackingErrorBackInsteadOfLatching) {
 TEST(FaultName, NamesEveryFaultThatStands) {
   EXPECT_STREQ(faultName(kNoFault), "none");
   EXPECT_STREQ(faultName(kFaultTracking), "tracking error");
-  EXPECT_STREQ(faultName(static_cast<Fault>(kFaultNotFinite | kFaultDisconnected)), "not finite, device disconnected");
+  EXPECT_EQ(faultList(kFaultNotFinite | kFaultDisconnected), "not finite, device disconnected");
+  EXPECT_EQ(faultList(kNoFault), "none");
 }
 
 }  // namespace

@@ -39,10 +39,20 @@ class HapticTickTest : public ::testing::Test {
     return records;
   }
 
+  /// A session whose operator is about to press the dead-man.
+  TickState ready() const {
+    TickState state;
+    tick(scene, released(readingOf(description, start)), state);
+    return state;
+  }
+
   DeviceDescription description = loadDeviceDescription("vishard10");
   JointVector start = description.homeAngles;
   HapticScene scene;
-  HapticTick tick{description, 1 / kRate};
+  HapticTick tick = [this] {
+    description.sensor.forceNoise = description.sensor.torqueNoise = 0;  // as these readings are
+    return HapticTick(description, 1 / kRate);
+  }();
 };
 
 }  // namespace haptiv::testing

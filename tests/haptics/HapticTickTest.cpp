@@ -17,7 +17,7 @@ using testing::readingOf;
 
 TEST_F(HapticTickTest, StartsAtRestWhereTheDeviceIs) {
   scene.resolution = ResolutionChoice{Strategy::nonopt, Solution::full};  // no self-motion
-  TickState state;
+  TickState state = ready();
   const TickRecord record = tick(scene, readingOf(description, start), state);
   EXPECT_EQ(record.faults, kNoFault);
   EXPECT_TRUE(record.command.enabled);

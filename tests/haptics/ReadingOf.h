@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 
 #include "device/DeviceDescription.h"
 
@@ -22,7 +23,14 @@ inline DeviceReading readingOf(const DeviceDescription& description, const Joint
   return reading;
 }
 
-/// An arm without inertia: does exactly what it is told, and is pushed with a constant force (in B, [N]).
+/// The same with the dead-man released: a session must see it so before it starts.
+inline DeviceReading released(DeviceReading reading) {
+  reading.inputs = 0;
+  return reading;
+}
+
+/// An arm without inertia: does exactly what it is told, and is pushed with a constant force (in B, [N]). The
+/// dead-man is pressed after the first reading.
 class IdealArm : public HapticDevice {
  public:
   IdealArm(const DeviceDescription& description, const JointVector& start, const Vector3& force_T)
@@ -31,9 +39,13 @@ class IdealArm : public HapticDevice {
   void start(double period) override {
     period_ = period;
     q_ = start_;
+    pressed_ = false;
     running = true;
   }
-  DeviceReading read() noexcept override { return readingOf(description_, q_, force_T_); }
+  DeviceReading read() noexcept override {
+    const DeviceReading reading = readingOf(description_, q_, force_T_);
+    return std::exchange(pressed_, true) ? reading : released(reading);
+  }
   void write(const DeviceCommand& command) noexcept override {
     if (command.enabled) q_ += period_ * command.jointRates;
   }
@@ -47,6 +59,7 @@ class IdealArm : public HapticDevice {
   Vector3 force_T_;
   JointVector q_;
   double period_ = 0;
+  bool pressed_ = false;
 };
 
 }  // namespace haptiv::testing

@@ -30,7 +30,11 @@ class ServoLoopTest : public ::testing::Test {
     return records;
   }
 
-  DeviceDescription description = loadDeviceDescription("vishard10");
+  DeviceDescription description = [] {
+    DeviceDescription arm = loadDeviceDescription("vishard10");
+    arm.sensor.forceNoise = arm.sensor.torqueNoise = 0;  // as an ideal arm's
+    return arm;
+  }();
   IdealArm arm{description, description.homeAngles, {1, 0, 0}};
   ServoSeams seams{1000};
 };

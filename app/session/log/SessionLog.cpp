@@ -74,6 +74,14 @@ const std::vector<LoggedScene>& SessionLog::scenes() const {
   return file_->scenes;
 }
 
+const std::vector<SessionEvent>& SessionLog::events() const {
+  return file_->events;
+}
+
+std::uint64_t SessionLog::formatVersion() const {
+  return file_->formatVersion;
+}
+
 std::vector<TickRecord> SessionLog::ticks(std::uint64_t first, std::uint64_t count) const {
   const hdf5::Lock lock;
   return file_->read(first, count);

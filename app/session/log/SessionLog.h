@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/log/SessionEvents.h"
 #include "app/session/log/SessionLogWriter.h"
 #include "haptics/HapticScene.h"
 #include "haptics/TickRecord.h"
@@ -32,6 +33,9 @@ class SessionLog {
   std::uint64_t tickCount() const;
   std::uint64_t dropped() const;                   ///< ticks that never reached the log
   const std::vector<LoggedScene>& scenes() const;  ///< by version, ascending
+  /// In order; those of ticks that never reached the log can be among them. A log of format 1 has none.
+  const std::vector<SessionEvent>& events() const;
+  std::uint64_t formatVersion() const;
 
   static constexpr std::uint64_t kBlock = 4096;  ///< [ticks] good to hold in memory at a time
 

@@ -14,6 +14,7 @@ using namespace log_layout;
 
 constexpr std::size_t kTextChunk = 16384;      // [bytes]
 constexpr std::size_t kIndexChunk = 64;        // [rows]
+constexpr std::size_t kEventChunk = 256;       // [rows]
 constexpr double kLongestChunk = 50000;        // [rows]
 constexpr std::uint64_t kReserve = 16u << 20;  // [bytes] left free, enough to close the file and for others to go on
 
@@ -48,6 +49,7 @@ void SessionLogWriter::File::createHead(const SessionHeader& header) {
   root.write("rate_hz", header.rate);
   root.write("start_utc", header.startUtc);
   root.write("scheduling", header.scheduling);
+  root.write("fault", header.fault);
   for (const char* group : {"/meta", "/meta/end", "/scenes", "/servo"}) hdf5::createGroup(file_, path_, group);
   for (const auto& [name, text] : {std::pair(kDeviceText, &header.deviceText), std::pair(kSceneName, &header.sceneName),
                                    std::pair(kSceneText, &header.sceneText)}) {
@@ -63,6 +65,7 @@ void SessionLogWriter::File::createTables() {
   scenes_.push_back(Table::create(file_, path_, kSceneIndex, Cell::int64, kIndexColumns, kIndexChunk));
   scenes_.push_back(Table::create(file_, path_, kSceneTexts, Cell::uint8, 1, kTextChunk));
   scenes_.push_back(Table::create(file_, path_, kSceneBytes, Cell::uint8, 1, kTextChunk));
+  createEvents();
   for (const TickGroup& group : groups_) {
     const std::string name = kServo + group.name;
     tables_.push_back(Table::create(file_, path_, name, group.cell, group.columns.size(), chunkRows_));
@@ -76,6 +79,22 @@ void SessionLogWriter::File::createTables() {
     attributes.write("unit", units);
     attributes.write("frame", group.frame);
   }
+}
+
+void SessionLogWriter::File::createEvents() {
+  events_.push_back(Table::create(file_, path_, kEvents, Cell::int64, kEventColumns, kEventChunk));
+  const hdf5::Attributes attributes(file_, path_, kEvents);
+  const auto names = [](SessionEvent::Kind kind, int count) {
+    std::vector<std::string> all;
+    for (int code = 0; code < count; ++code) all.push_back(nameOf(SessionEvent{0, 0, kind, code}));
+    return all;
+  };
+  using enum SessionEvent::Kind;
+  attributes.write("columns", std::vector<std::string>{"tick", "time_ns", "kind", "code"});
+  attributes.write("kinds", std::vector<std::string>{nameOf(state), nameOf(fault), nameOf(trip)});
+  attributes.write("states", names(state, kSessionStateCount));
+  attributes.write("faults", names(fault, kFaultCount));
+  attributes.write("trips", names(trip, kTripCount));
 }
 
 void SessionLogWriter::File::expectOpen() const {
@@ -110,6 +129,10 @@ void SessionLogWriter::File::add(const TickRecord& tick) {
     }
   }
   ++waitingRows_;
+  findEvents_.take(tick, [this](const SessionEvent& event) {
+    waitingEvents_.insert(waitingEvents_.end(), {static_cast<std::int64_t>(event.tick), event.time,
+                                                 static_cast<std::int64_t>(event.kind), event.code});
+  });
 }
 
 void SessionLogWriter::File::expectSpace() {
@@ -129,6 +152,7 @@ void SessionLogWriter::File::writeOut(bool all) {
   expectSpace();
   try {
     writeScenes();
+    writeEvents();
     writeTicks(rows);
     hdf5::flushToDisk(file_, path_);
   } catch (...) {
@@ -149,6 +173,11 @@ void SessionLogWriter::File::writeScenes() {
   waitingTexts_.clear();
   waitingBytes_.clear();
   waitingIndex_.clear();
+}
+
+void SessionLogWriter::File::writeEvents() {
+  events_.front().append(waitingEvents_.data(), waitingEvents_.size() / kEventColumns);
+  waitingEvents_.clear();
 }
 
 void SessionLogWriter::File::writeTicks(std::size_t rows) {
@@ -177,6 +206,7 @@ void SessionLogWriter::File::finish(bool complete, std::uint64_t dropped, std::s
 void SessionLogWriter::File::close() {
   tables_.clear();
   scenes_.clear();
+  events_.clear();
   end_.clear();
   file_.reset();
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/session/log/Hdf5Table.h"
+#include "app/session/log/SessionEvents.h"
 #include "app/session/log/SessionLogWriter.h"
 #include "app/session/log/TickColumns.h"
 #include "haptics/SceneBytes.h"
@@ -30,10 +31,12 @@ struct SessionLogWriter::File {
  private:
   void createHead(const SessionHeader& header);
   void createTables();
+  void createEvents();
   /// Throws, and ends the log, where the disk is too full for what is waiting.
   void expectSpace();
   void writeScenes();
   void writeTicks(std::size_t rows);
+  void writeEvents();
   void writeText(hdf5::Table& table, std::string_view text);
   /// Writes the end record and closes the file.
   void finish(bool complete, std::uint64_t dropped, std::string_view reason);
@@ -48,8 +51,11 @@ struct SessionLogWriter::File {
   std::vector<hdf5::Table> tables_;  // one a group
   std::vector<hdf5::Table> scenes_;  // index, texts, bytes
   std::vector<hdf5::Table> end_;     // complete, dropped, reason
+  std::vector<hdf5::Table> events_;  // one
   std::vector<std::vector<std::byte>> waitingTicks_;
   std::size_t waitingRows_ = 0;
+  EventFinder findEvents_;
+  std::vector<std::int64_t> waitingEvents_;
   std::vector<std::int64_t> waitingIndex_;
   std::string waitingTexts_;
   std::vector<std::byte> waitingBytes_;

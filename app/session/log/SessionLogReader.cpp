@@ -17,6 +17,8 @@ using namespace log_layout;
 // As far as a hostile file may make us allocate; a real log stays far below.
 constexpr std::uint64_t kLongestText = 256u << 20;  // [bytes]
 constexpr std::uint64_t kMostScenes = 1'000'000;
+constexpr std::uint64_t kMostEvents = 10'000'000;
+constexpr std::uint64_t kFirstFormat = 1;
 constexpr const char* kDamaged = "The file is damaged: use another copy of it";
 
 /// One row of /scenes/index.
@@ -40,18 +42,19 @@ SessionLog::File::File(const std::filesystem::path& where) : path(where) {
   readHeader();
   if (closedWell) readEnd();
   readScenes();
+  readEvents();
   openTicks();
   if (!complete) dropTicksWithoutScene();
 }
 
-void SessionLog::File::expectFormat() const {
+void SessionLog::File::expectFormat() {
   const hdf5::Attributes root(file, path, "/");
   if (H5Aexists(file.id(), "format") <= 0 || root.text("format") != kFormat)
     hdf5::fail(path, "is an HDF5 file, but no session log of Haptiv", "Choose a log that `haptiv run --log` wrote");
-  const std::uint64_t version = root.integer("format_version");
-  if (version > kFormatVersion)
+  formatVersion = root.integer("format_version");
+  if (formatVersion > kFormatVersion)
     hdf5::fail(path,
-               "was written by a newer Haptiv (log format " + std::to_string(version) +
+               "was written by a newer Haptiv (log format " + std::to_string(formatVersion) +
                    ", known here: " + std::to_string(kFormatVersion) + ")",
                "Install a newer Haptiv");
 }
@@ -70,6 +73,7 @@ void SessionLog::File::readHeader() {
   header.gitHash = root.text("git_hash");
   header.startUtc = root.text("start_utc");
   header.scheduling = root.text("scheduling");
+  if (formatVersion > kFirstFormat) header.fault = root.text("fault");
   header.seed = root.integer("seed");
   header.rate = root.number("rate_hz");
   if (!std::isfinite(header.rate) || header.rate <= 0) hdf5::fail(path, "rate_hz is no positive number", kDamaged);
@@ -120,15 +124,44 @@ void SessionLog::File::readScenes() {
   }
 }
 
-void SessionLog::File::openTicks() {
-  for (const TickGroup& group : groups) {
-    const std::string name = kServo + group.name;
-    tables.push_back(Table::open(file, path, name, group.cell, group.columns.size()));
-    const std::vector<std::string> names = hdf5::Attributes(file, path, name).texts("columns");
-    const auto same = [](const TickColumn& column, const std::string& stored) { return column.name == stored; };
-    if (!std::equal(group.columns.begin(), group.columns.end(), names.begin(), names.end(), same))
-      hdf5::fail(path, name + " has other columns than a session log", kDamaged);
+void SessionLog::File::readEvents() {
+  if (formatVersion == kFirstFormat) return;
+  const Table table = Table::open(file, path, kEvents, Cell::int64, kEventColumns);
+  if (table.rows() > kMostEvents) hdf5::fail(path, "the log claims too many events", kDamaged);
+  std::vector<std::int64_t> cells(table.rows() * kEventColumns);
+  table.read(0, table.rows(), cells.data());
+  for (const std::int64_t* row = cells.data(); row != cells.data() + cells.size(); row += kEventColumns) {
+    if (row[2] < 0 || row[2] > static_cast<std::int64_t>(SessionEvent::Kind::trip))
+      hdf5::fail(path, "an event of the log is of no known kind", kDamaged);
+    events.push_back({static_cast<std::uint64_t>(row[0]), row[1], static_cast<SessionEvent::Kind>(row[2]), row[3]});
   }
+}
+
+TickGroup SessionLog::File::stored(const TickGroup& group) const {
+  const std::string name = kServo + group.name;
+  TickGroup found{group.name, group.frame, group.cell, {}};
+  if (formatVersion == kFirstFormat && H5Lexists(file.id(), name.c_str(), H5P_DEFAULT) <= 0) return found;
+  for (const std::string& each : hdf5::Attributes(file, path, name).texts("columns")) {
+    const auto known = std::find_if(group.columns.begin(), group.columns.end(),
+                                    [&](const TickColumn& column) { return column.name == each; });
+    if (known == group.columns.end()) hdf5::fail(path, name + " has other columns than a session log", kDamaged);
+    found.columns.push_back(*known);
+  }
+  const auto same = [](const TickColumn& a, const TickColumn& b) { return a.name == b.name; };
+  if (formatVersion > kFirstFormat &&
+      !std::equal(found.columns.begin(), found.columns.end(), group.columns.begin(), group.columns.end(), same))
+    hdf5::fail(path, name + " has other columns than a session log", kDamaged);
+  return found;
+}
+
+void SessionLog::File::openTicks() {
+  for (const TickGroup& group : tickGroups()) {
+    const TickGroup found = stored(group);
+    if (found.columns.empty()) continue;
+    tables.push_back(Table::open(file, path, kServo + group.name, group.cell, found.columns.size()));
+    groups.push_back(found);
+  }
+  if (tables.empty()) hdf5::fail(path, "there are no ticks in the log", kDamaged);
   const auto [shortest, longest] = std::minmax_element(
       tables.begin(), tables.end(), [](const Table& a, const Table& b) { return a.rows() < b.rows(); });
   tickCount = shortest->rows();
@@ -161,6 +194,8 @@ std::vector<TickRecord> SessionLog::File::read(std::uint64_t first, std::uint64_
         cell += hdf5::sizeOf(groups[i].cell);
       }
   }
+  if (formatVersion == kFirstFormat)  // in which a session ran or was in a fault
+    for (TickRecord& tick : ticks) tick.state = tick.command.enabled ? SessionState::running : SessionState::fault;
   return ticks;
 }
 

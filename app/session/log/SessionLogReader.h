@@ -21,17 +21,22 @@ struct SessionLog::File {
   bool complete = false;
   SessionHeader header;
   std::vector<LoggedScene> scenes;
+  std::vector<SessionEvent> events;
+  std::uint64_t formatVersion = 0;
   std::uint64_t tickCount = 0;
   std::uint64_t dropped = 0;
-  std::vector<TickGroup> groups = tickGroups();
+  std::vector<TickGroup> groups;    // as they stand in this file
   std::vector<hdf5::Table> tables;  // one a group
 
  private:
-  void expectFormat() const;
+  void expectFormat();
   void readHeader();
   void readEnd();
   void readScenes();
+  void readEvents();
   void openTicks();
+  /// The columns of `group` that the file has; of an older format, not all of them.
+  TickGroup stored(const TickGroup& group) const;
   /// After a crash, ticks can be there whose scene is not.
   void dropTicksWithoutScene();
   std::string readText(const char* name) const;

@@ -23,6 +23,7 @@ struct SessionHeader {
   std::string scheduling;  ///< how the servo thread ran
   std::uint64_t seed = 0;
   double rate = 1000;  ///< [Hz]
+  std::string fault;   ///< of a flight record: what the session went into; empty: the log is of a whole session
 };
 
 /// Bytes that may still be written to the disk that holds a file.

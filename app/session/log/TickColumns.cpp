@@ -170,6 +170,8 @@ TickGroup stateGroup() {
            column<Number>(
                "faults", "1", kResult, [](auto& r) -> auto& { return r.faults; }),
            column<Number>(
+               "clamps", "1", kResult, [](auto& r) -> auto& { return r.clamps; }),
+           column<Number>(
                "session_state", "1", kResult, [](auto& r) -> auto& { return r.state; }),
            column<Number>(
                "drive_mode", "1", kResult, [](auto& r) -> auto& { return r.command.mode; }),

@@ -1,0 +1,105 @@
+#include <limits>
+
+#include "tests/faults/FaultCases.h"
+
+namespace haptiv::faults {
+namespace {
+
+using Chain = FaultChain;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// The operator presses on the wall; at the injection the scene is edited.
+template <typename Edit>
+Chain::Script edited(Edit edit) {
+  return [edit](Chain& chain, int since) {
+    pressOnWall(chain);
+    if (since != 0) return;
+    ++chain.scene.version;
+    edit(chain.scene);
+  };
+}
+
+/// Before the start the scene is made so; then the hand does as `carry` says.
+template <typename Make, typename Carry>
+Chain::Script madeSo(Make make, Carry carry) {
+  return [=](Chain& chain, int since) {
+    if (chain.time() == 0) make(chain.scene);
+    carry(chain, since);
+  };
+}
+
+/// The hand jerks the ball along y as hard as it can.
+void jerk(Chain& chain, int since) {
+  chain.hand.target.holding = true;
+  chain.hand.target.position = chain.home() + Vector3(0, since < 0 ? -0.3 : 0.6, 0);
+}
+void press(Chain& chain, int) {
+  pressOnWall(chain);
+}
+/// The hand has let go; at the injection it gives the ball a push of a tenth of a second.
+void nudge(Chain& chain, int since) {
+  chain.hand.target.holding = since >= 0 && since < 100;
+  chain.hand.target.position = chain.home() + Vector3(0, 0.05, 0);
+}
+
+}  // namespace
+
+FaultGroup sceneFaults() {
+  const auto running = SessionState::running;
+  return {"The scene",
+          {{"a stiffness that is no number", kFaultNotFinite, kNoClamp, SessionState::fault, 1,
+            edited([](HapticScene& scene) { scene.walls[0].surface.stiffness = kNan; })},
+           {"a ball without mass", kFaultNotFinite, kNoClamp, SessionState::fault, 1,
+            edited([](HapticScene& scene) { scene.tool.mass = 0; })},
+           {"a place of the device that is no number", kFaultNotFinite, kNoClamp, SessionState::fault, 1,
+            edited([](HapticScene& scene) { scene.device.position.x() = kNan; })},
+           {"swapped in contact: the wall is gone", kNoFault, kNoClamp, running, 0,
+            edited([](HapticScene& scene) { scene.walls.clear(); })},
+           {"swapped in contact: the wall stands 50 mm nearer", kNoFault, kNoClamp, running, 0,
+            edited([](HapticScene& scene) { scene.walls[0].shape.centre.x() -= 0.05; })},
+           {"swapped in contact: the wall is three times as stiff", kNoFault, kNoClamp, running, 0,
+            edited([](HapticScene& scene) { scene.walls[0].surface.stiffness *= 3; })}}};
+}
+
+FaultGroup clampCases() {
+  const auto running = SessionState::running;
+  return {"Clamps",
+          {{"the scene asks for more than 170 N", kNoFault, kClampForce, running, 0, edited([](HapticScene& scene) {
+              scene.walls[0].shape.centre.x() -= 0.1;
+              scene.walls[0].surface.damping = 100;
+            })},
+           {"the hand pulls a light ball with 170 N", kNoFault, kClampSpeed | kClampAcceleration, running, 0,
+            madeSo(
+                [](HapticScene& scene) {
+                  scene.walls.clear();
+                  scene.tool.mass = 0.5;
+                },
+                jerk)},
+           {"joints near their rate limits", kNoFault, kClampJointRate, running, 0, jerk, 1, 0.5,
+            [](Chain& chain) { chain.description.drives.rateLimit.setConstant(1.2); }}}};
+}
+
+FaultGroup stabilityFaults() {
+  return {"Stability",
+          {{"runaway admittance: a medium that pushes (-20 N s/m), nobody holds the ball", kFaultRunaway, kClampSpeed,
+            SessionState::fault, 1000,
+            madeSo(
+                [](HapticScene& scene) {
+                  scene.walls.clear();
+                  scene.tool.damping = -20;
+                },
+                nudge),
+            1, 1.2},
+           {"oscillation: a wall of 4,500 N s/m, beyond the stability limit", kFaultOscillation, kNoClamp,
+            SessionState::fault, 1000, edited([](HapticScene& scene) { scene.walls[0].surface.damping = 4500; })},
+           {"oscillation: a ball of 20 g in a firm grip", kFaultOscillation, kNoClamp, SessionState::fault, 1500,
+            madeSo(
+                [](HapticScene& scene) {
+                  scene.tool.mass = 0.02;
+                  scene.tool.damping = 0.1;
+                },
+                press),
+            0.01, 1.5}}};
+}
+
+}  // namespace haptiv::faults

@@ -1,0 +1,238 @@
+#include "app/session/FlightRecorder.h"
+
+#include <gmock/gmock.h>
+
+#include "app/session/Resimulation.h"
+#include "app/session/SessionRecorder.h"
+#include "app/session/log/Hdf5Table.h"
+#include "app/session/log/LogExport.h"
+#include "app/session/log/TickColumns.h"
+#include "tests/session/SessionFixtures.h"
+
+namespace haptiv {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using namespace haptiv::testing;
+
+std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
+  return files;
+}
+
+TickRecord tickIn(SessionState state, std::uint64_t tick, std::uint32_t sceneVersion = 0) {
+  TickRecord record;
+  record.tick = tick;
+  record.time = static_cast<std::int64_t>(tick) * 1'000'000;
+  record.state = state;
+  record.sceneVersion = sceneVersion;
+  if (state == SessionState::fault) record.faults = kFaultTracking | kFaultSensorStuck;
+  return record;
+}
+
+TEST(FlightRecorderTest, WritesTheLastTwoSecondsBeforeAFaultAtAnyRate) {
+  for (const double rate : {500., 1000., 8000.}) {
+    const TemporaryFolder folder;
+    SessionHeader header = someHeader();
+    header.rate = rate;
+    FlightRecorder recorder(header, folder / "made/for/it", "s");
+    recorder.addScene(std::make_shared<HapticScene>(wallScene()), "first");
+    RandomRecords random(1);
+    std::vector<TickRecord> taken;
+    const auto ticks = static_cast<std::uint64_t>(3.3 * rate);
+    for (std::uint64_t tick = 0; tick <= ticks; ++tick) {
+      taken.push_back(random.next(tick, 0));
+      taken.back().state = tick < ticks ? SessionState::running : SessionState::fault;
+      taken.back().faults = tick < ticks ? kNoFault : kFaultTracking;
+      recorder.take(taken.back());
+    }
+    ASSERT_EQ(recorder.files().size(), 1u);
+    EXPECT_THAT(recorder.files()[0].filename().string(),
+                AllOf(HasSubstr("s-fault-"), HasSubstr("Z-tracking-error.h5")));
+    const SessionLog log(recorder.files()[0]);
+    EXPECT_TRUE(log.complete());
+    EXPECT_EQ(log.header().fault, "tracking error");
+    const std::vector<TickRecord> read = log.ticks(0, taken.size());
+    ASSERT_EQ(read.size(), static_cast<std::size_t>(2 * rate));
+    for (std::size_t i = 0; i < read.size(); ++i)
+      ASSERT_TRUE(sameRecord(read[i], taken[taken.size() - read.size() + i])) << i;
+  }
+}
+
+TEST(FlightRecorderTest, WritesOneFileAFaultAndKeepsTheScenesThatItsTicksFelt) {
+  const TemporaryFolder folder;
+  FlightRecorder recorder(someHeader(), folder / "", "s");
+  HapticScene scene = wallScene();
+  for (scene.version = 0; scene.version < 6; ++scene.version)
+    recorder.addScene(std::make_shared<HapticScene>(scene), std::to_string(scene.version));
+  for (std::uint64_t tick = 0; tick < 6000; ++tick) {
+    const bool fault = tick % 3000 > 2900;
+    recorder.take(
+        tickIn(fault ? SessionState::fault : SessionState::running, tick, static_cast<std::uint32_t>(tick / 1000)));
+  }
+  ASSERT_EQ(recorder.files().size(), 2u);
+  ASSERT_EQ(filesIn(folder / "").size(), 2u);
+  const SessionLog log(recorder.files()[1]);
+  EXPECT_EQ(log.header().fault, "tracking error, sensor stuck");
+  EXPECT_EQ(log.ticks(0, 1)[0].tick, 5901u - 1999u);
+  ASSERT_EQ(log.scenes().size(), 3u);  // 3, 4 and 5
+  EXPECT_EQ(log.scenes()[0].text, "3");
+}
+
+TEST(FlightRecorderTest, IsExportedButNotResimulatedFromTheMiddleOn) {
+  const TemporaryFolder folder;
+  FlightRecorder recorder(someHeader(), folder / "", "s");
+  recorder.addScene(std::make_shared<HapticScene>(wallScene()), "");
+  for (std::uint64_t tick = 0; tick < 3000; ++tick) recorder.take(tickIn(SessionState::running, tick));
+  recorder.take(tickIn(SessionState::fault, 3000));
+  const SessionLog log(recorder.files().at(0));
+  exportCsv(log, folder / "s.csv");
+  EXPECT_GT(std::filesystem::file_size(folder / "s.csv"), 100'000u);
+  EXPECT_THAT(messageOf([&] { verify(log); }), AllOf(HasSubstr("tracking error"), HasSubstr("starts at tick 1001")));
+}
+
+TEST(FlightRecorderTest, IsWrittenByASessionWithAndWithoutALog) {
+  HapticScene scene = wallScene();
+  scene.walls[0].surface.stiffness = std::numeric_limits<double>::quiet_NaN();
+  for (const bool logged : {true, false}) {
+    const TemporaryFolder folder;
+    SessionSetup setup = setupFor(scene, {{0, {0, 0, 0}}, {0.5, {0.1, 0, 0}}});
+    if (logged) setup.log = folder / "s.h5";
+    if (!logged) setup.flights = folder / "flights";
+    const SessionSummary summary = runFast(setup, 1);
+    EXPECT_EQ(summary.last.faults, kFaultNotFinite);
+    ASSERT_EQ(summary.flights.size(), 1u);
+    const SessionLog flight(summary.flights[0]);
+    EXPECT_EQ(flight.header().fault, "not finite");
+    EXPECT_TRUE(verify(flight).identical());  // it starts with the session
+    if (!logged) continue;
+    std::vector<std::string> names;
+    for (const SessionEvent& event : SessionLog(folder / "s.h5").events()) names.push_back(nameOf(event));
+    EXPECT_THAT(names, ElementsAre("ready", "running", "not finite", "fault"));
+  }
+}
+
+TEST(FlightRecorderTest, GoesOnWhereTheLogHasEndedForWantOfSpace) {
+  const TemporaryFolder folder;
+  std::atomic<std::uint64_t> space = 1u << 30;
+  auto writer = std::make_unique<SessionLogWriter>(folder / "s.h5", someHeader(),
+                                                   [&space](const std::filesystem::path&) { return space.load(); });
+  writer->addScene(wallScene(), "");
+  auto flights = std::make_unique<FlightRecorder>(someHeader(), folder / "flights", "s");
+  flights->addScene(std::make_shared<HapticScene>(wallScene()), "");
+  RecordRing<TickRecord> ring;
+  SessionRecorder recorder(ring, std::move(writer), std::move(flights));
+  space = 0;
+  for (std::uint64_t tick = 0; tick < 600; ++tick) ring.push(tickIn(SessionState::running, tick));
+  while (recorder.trouble().empty()) std::this_thread::yield();
+  ring.push(tickIn(SessionState::fault, 600));
+  const SessionSummary summary = recorder.stop();
+  ASSERT_EQ(summary.flights.size(), 1u);
+  EXPECT_EQ(SessionLog(summary.flights[0]).tickCount(), 601u);
+}
+
+TEST(SessionEventsTest, TellStatesFaultsAndTripsInOrder) {
+  EventFinder finder;
+  std::vector<std::string> names;
+  const auto take = [&](SessionState state, std::uint32_t faults, std::uint32_t trips) {
+    TickRecord record = tickIn(SessionState::running, names.size());
+    record.state = state;
+    record.faults = faults;
+    record.reading.trips = trips;
+    finder.take(record, [&](const SessionEvent& event) {
+      names.push_back(std::string(nameOf(event.kind)) + " " + nameOf(event));
+    });
+  };
+  take(SessionState::ready, 0, 0);
+  take(SessionState::ready, 0, 0);
+  take(SessionState::running, 0, 0);
+  take(SessionState::fault, kFaultTripWatchdog | kFaultTracking, kTripWatchdog);
+  take(SessionState::fault, kFaultTripWatchdog | kFaultTracking, kTripWatchdog);
+  take(SessionState::ready, 0, 0);
+  EXPECT_THAT(names, ElementsAre("state ready", "state running", "trip watchdog", "fault tracking error",
+                                 "fault device trip: watchdog", "state fault", "state ready"));
+}
+
+bool cameLater(const std::string& column) {
+  for (const char* name : {"inputs", "trips", "clamps", "session_state", "drive_mode"})
+    if (column == name) return true;
+  return column.ends_with("N_m");
+}
+
+/// Writes a group of ticks anew, without the columns that format 1 did not have.
+void dropLaterColumns(const hdf5::Handle& file, const std::filesystem::path& path, const TickGroup& group) {
+  const std::string name = "/servo/" + group.name;
+  std::vector<std::string> kept;
+  std::vector<std::byte> rows, less;
+  std::uint64_t count = 0;
+  {
+    const hdf5::Table table = hdf5::Table::open(file, path, name, group.cell, group.columns.size());
+    count = table.rows();
+    rows.resize(count * group.rowSize());
+    table.read(0, count, rows.data());
+  }
+  const std::size_t cell = hdf5::sizeOf(group.cell);
+  for (std::size_t i = 0; i < rows.size() / cell; ++i) {
+    if (cameLater(group.columns[i % group.columns.size()].name)) continue;
+    less.insert(less.end(), rows.begin() + static_cast<std::ptrdiff_t>(i * cell),
+                rows.begin() + static_cast<std::ptrdiff_t>((i + 1) * cell));
+  }
+  for (const TickColumn& column : group.columns)
+    if (!cameLater(column.name)) kept.push_back(column.name);
+  H5Ldelete(file.id(), name.c_str(), H5P_DEFAULT);
+  hdf5::Table::create(file, path, name, group.cell, kept.size(), 500).append(less.data(), count);
+  hdf5::Attributes(file, path, name).write("columns", kept);
+}
+
+/// Turns a log into one of format 1: without the columns, the tables and the attribute that came later.
+void makeFirstFormat(const std::filesystem::path& path) {
+  const hdf5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  ASSERT_TRUE(file);
+  const hid_t version = H5Aopen(file.id(), "format_version", H5P_DEFAULT);
+  const std::uint64_t one = 1;
+  H5Awrite(version, H5T_NATIVE_UINT64, &one);
+  H5Aclose(version);
+  H5Adelete(file.id(), "fault");
+  H5Ldelete(file.id(), "/events", H5P_DEFAULT);
+  for (const TickGroup& group : tickGroups()) {
+    if (group.name != "passivity") dropLaterColumns(file, path, group);
+  }
+  H5Ldelete(file.id(), "/servo/passivity", H5P_DEFAULT);
+}
+
+TEST(SessionLogOfFormatOne, OpensWithDefaultsForWhatCameLaterAndIsNotResimulated) {
+  const TemporaryFolder folder;
+  RandomRecords random(7);
+  std::vector<TickRecord> written = random.some(0, 600);
+  {
+    SessionLogWriter writer(folder / "s.h5", someHeader());
+    writer.addScene(wallScene(), "first");
+    writer.append(written);
+    writer.close(0);
+  }
+  makeFirstFormat(folder / "s.h5");
+  const SessionLog log(folder / "s.h5");
+  EXPECT_TRUE(log.complete());
+  EXPECT_EQ(log.formatVersion(), 1u);
+  EXPECT_TRUE(log.events().empty());
+  EXPECT_EQ(log.header().fault, "");
+  const std::vector<TickRecord> read = log.ticks(0, 600);
+  ASSERT_EQ(read.size(), 600u);
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    TickRecord& expected = written[i];
+    expected.passivityEnergy = expected.passivityDamping = 0;
+    expected.reading.inputs = kInputDeadMan;
+    expected.reading.trips = expected.clamps = 0;
+    expected.handTorque.setZero();
+    expected.command.jointTorques.setZero();
+    expected.state = expected.command.enabled ? SessionState::running : SessionState::fault;
+    ASSERT_TRUE(sameRecord(read[i], expected)) << i;
+  }
+  EXPECT_THAT(messageOf([&] { verify(log); }), HasSubstr("format 1"));
+}
+
+}  // namespace
+}  // namespace haptiv
