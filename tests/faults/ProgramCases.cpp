@@ -39,7 +39,7 @@ SessionHeader someHeader() {
 
 /// The log's thread is gone, or hangs for good: nobody drains the ring.
 ProgramCase killedLogWriter() {
-  RecordRing<TickRecord> ring;
+  RecordRing<TickRecord> ring(8192);
   const bool good = serve([&](const TickRecord& record) { ring.push(record); });
   const bool counted = ring.dropped() > 0 && ring.dropped() < kTicks;
   return {"log writer killed", good && counted, "ticks that never reached the log are counted"};
@@ -51,7 +51,7 @@ ProgramCase fullDisk() {
   std::atomic<std::uint64_t> space = 1u << 30;
   auto writer = std::make_unique<SessionLogWriter>(std::filesystem::path(folder) / "s.h5", someHeader(),
                                                    [&space](const std::filesystem::path&) { return space.load(); });
-  RecordRing<TickRecord> ring;
+  RecordRing<TickRecord> ring(8192);
   SessionRecorder recorder(ring, std::move(writer));
   space = 0;
   const bool good = serve([&](const TickRecord& record) { ring.push(record); });

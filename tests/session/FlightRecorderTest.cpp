@@ -123,7 +123,7 @@ TEST(FlightRecorderTest, GoesOnWhereTheLogHasEndedForWantOfSpace) {
   writer->addScene(wallScene(), "");
   auto flights = std::make_unique<FlightRecorder>(someHeader(), folder / "flights", "s");
   flights->addScene(std::make_shared<HapticScene>(wallScene()), "");
-  RecordRing<TickRecord> ring;
+  RecordRing<TickRecord> ring(8192);
   SessionRecorder recorder(ring, std::move(writer), std::move(flights));
   space = 0;
   for (std::uint64_t tick = 0; tick < 600; ++tick) ring.push(tickIn(SessionState::running, tick));
