@@ -83,7 +83,6 @@ void HapticTick::settle(const Measured& measured, TickState& state) const noexce
 void HapticTick::run(const HapticScene& scene, const Measured& measured, TickState& state,
                      TickRecord& record) const noexcept {
   const ControlChoice choice = control_.choiceFor(scene);
-  control_.follow(choice, measured, state.control);
   feel(scene, control_.felt(choice, scene, measured, state.control), state, record);
   const Vector3 damped =
       passivity_(choice, scene, measured, state.control.admittance, state.contacts, state.passivity, record);
@@ -104,6 +103,7 @@ TickRecord HapticTick::operator()(const HapticScene& scene, const DeviceReading&
   } else if (!ran || !runs) {
     settle(measured, state);
   }
+  if (runs) control_.follow(control_.choiceFor(scene), measured, state.control);
   TickRecord record = recordOf(scene, reading, measured, state);
   record.missedTicks = missedTicks;
   if (runs) {

@@ -59,8 +59,8 @@ class HapticTick {
   double period_;
   Measuring measure_;
   Monitors monitors_;
-  Passivity passivity_;
   Clamps clamps_;
+  Passivity passivity_;
   ArmControl control_;
 };
 
