@@ -31,6 +31,8 @@ struct JointDrives {
   JointVector bandwidth = JointVector::Constant(400);       ///< of the drive's velocity loop [rad/s]
   JointVector viscousFriction = JointVector::Zero();        ///< at the joint [N m s/rad]
   JointVector coulombFriction = JointVector::Zero();        ///< at the joint [N m]
+  /// Of motors that are bypassed, at the joint [N m s/rad]; within torqueLimit.
+  JointVector brakeDamping = JointVector::Constant(40);
 
   /// Encoder counts per radian of the joint.
   JointVector countsPerRadian() const;
@@ -44,14 +46,22 @@ struct HandleSensor {
   double torqueNoise = 0.0005;      ///< standard deviation [N m]
   double forceRange = 400;          ///< [N], saturates beyond
   double torqueRange = 30;          ///< [N m], saturates beyond
+  double bandwidth = 50'265;        ///< of its low-pass [rad/s]: 8 kHz
 };
 
-/// The simulated operator: a spring-damper between where the hand wants to be and where the handle is.
+/// The simulated operator's arm and grip: HumanHand tells how they work together.
 struct HandModel {
-  double stiffness = 400;  ///< [N/m]
-  double damping = 20;     ///< [N s/m]
-  double peakForce = 170;  ///< [N], no hand pulls harder
-  double bandwidth = 40;   ///< of the low-pass by which it follows its own intent [rad/s]
+  double stiffness = 400;       ///< from where the hand wants to be to the handle, arm and grip together [N/m]
+  double damping = 20;          ///< of the arm [N s/m]
+  double peakForce = 170;       ///< [N], no arm pulls harder
+  double bandwidth = 40;        ///< of the low-pass by which it follows its own intent [rad/s]
+  double mass = 1.8;            ///< of hand and forearm as far as they move along [kg]
+  double gripStiffness = 3000;  ///< between hand and handle [N/m]; more than stiffness
+  double gripDamping = 90;      ///< [N s/m]
+  double gripStrength = 250;    ///< [N], beyond it the hand slips off
+  double turnStiffness = 3;     ///< by which it holds the handle's orientation [N m/rad]
+  double turnDamping = 0.15;    ///< [N m s/rad]
+  double peakTorque = 8;        ///< [N m]
 };
 
 /// How the host drives the joints.

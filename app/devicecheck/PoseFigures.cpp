@@ -11,7 +11,6 @@
 namespace haptiv {
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s^2]
 constexpr double kNothing = 1e-9;  // a lever of so little [m, 1] asks nothing of its joint
 
 /// How far a demand can go, of which each joint has this share and has this much to give.
@@ -23,9 +22,9 @@ double farthest(const JointVector& share, const JointVector& available) {
   return result;
 }
 
-JointVector torqueToSpare(const ArmPose& arm, const DeviceDescription& device, double payload) {
-  const Vector3 weight(0, 0, -kGravity * payload);
-  const JointVector carried = arm.J_BT.topRows<3>().transpose() * weight;
+JointVector torqueToSpare(const ArmPose& arm, const JointVector& weight, const DeviceDescription& device,
+                          double payload) {
+  const JointVector carried = weight - payload * arm.J_BT.topRows<3>().transpose() * device.bodies.gravity;
   return device.drives.torqueLimit - device.drives.coulombFriction - carried.cwiseAbs();
 }
 
@@ -45,9 +44,10 @@ double manipulabilityOf(const Jacobian& J) {
 
 }  // namespace
 
-PoseFigures figuresOf(const ArmPose& arm, const DeviceDescription& device, const Specification& specification) {
+PoseFigures figuresOf(const ArmPose& arm, const JointVector& weight, const DeviceDescription& device,
+                      const Specification& specification) {
   const Dexterity translation = translationalDexterity(arm.J_BT), rotation = rotationalDexterity(arm.J_BT);
-  const JointVector spare = torqueToSpare(arm, device, specification.payload);
+  const JointVector spare = torqueToSpare(arm, weight, device, specification.payload);
   const auto linear = arm.J_BT.topRows<3>();
   const Eigen::Matrix<double, 3, kJointCount> inTool = arm.X_BT.rotation.transpose() * arm.J_BT.bottomRows<3>();
 

@@ -20,8 +20,11 @@ struct PoseFigures {
 };
 
 /// Forces and torques, tau = J^T f, go as far as the first joint's torque limit, after its Coulomb friction and the
-/// payload's weight; the weight of the arm's own links is not known to a description and not in it. Each is asked for
-/// alone. Speeds, qdot = J# v of eq. (3), go as far as the first joint's rate limit.
-PoseFigures figuresOf(const ArmPose& arm, const DeviceDescription& device, const Specification& specification);
+/// payload's weight and the links'. Each is asked for alone. Speeds, qdot = J# v of eq. (3), go as far as the first
+/// joint's rate limit.
+///
+/// @param weight  torques that hold the links in this pose, g(q); zero where the description has no bodies [N m]
+PoseFigures figuresOf(const ArmPose& arm, const JointVector& weight, const DeviceDescription& device,
+                      const Specification& specification);
 
 }  // namespace haptiv

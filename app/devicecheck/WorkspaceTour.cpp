@@ -6,9 +6,11 @@
 #include <cmath>
 #include <mutex>
 #include <numbers>
+#include <optional>
 #include <thread>
 
 #include "app/devicecheck/ArmMover.h"
+#include "device/dynamics/ArmDynamics.h"
 
 namespace haptiv {
 namespace {
@@ -55,7 +57,9 @@ class Traveller {
  public:
   Traveller(const DeviceDescription& device, const ArmKinematics& arm, const RedundancyResolution& resolution,
             const ResolutionChoice& choice, const Specification& specification)
-      : device_(device), specification_(specification), mover_(device, arm, resolution, choice) {}
+      : device_(device), specification_(specification), mover_(device, arm, resolution, choice) {
+    if (!device.bodies.links.empty()) dynamics_.emplace(device);
+  }
 
   Tour go(const Journey& journey) {
     tour_.places = static_cast<int>(journey.places.size());
@@ -93,7 +97,8 @@ class Traveller {
 
   void take(bool onGrid) {
     newest_.onGrid = onGrid;
-    newest_.figures = figuresOf(pose_, device_, specification_);
+    const JointVector weight = dynamics_ ? dynamics_->gravity(newest_.q) : JointVector(JointVector::Zero());
+    newest_.figures = figuresOf(pose_, weight, device_, specification_);
     tour_.samples.push_back(newest_);
   }
 
@@ -111,6 +116,7 @@ class Traveller {
 
   const DeviceDescription& device_;
   const Specification& specification_;
+  std::optional<ArmDynamics> dynamics_;  // nothing where the links' masses are not known
   ArmMover mover_;
   Tour tour_;
   TourSample newest_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,6 +18,15 @@ constexpr std::size_t kLargestFile = 64u << 20;  // [bytes]
 constexpr std::size_t kMostWaypoints = 1'000'000;
 constexpr std::size_t kColumns = 4;
 constexpr std::array<const char*, kColumns> kNames{"t", "x", "y", "z"};
+
+/// A column that may stand after these: 1 while the button is pressed, 0 else.
+struct Button {
+  const char* name;
+  std::uint16_t input;
+};
+constexpr std::array kButtons = {Button{"deadman", kInputDeadMan}, Button{"estop", kInputEmergencyStop1},
+                                 Button{"reset", kInputReset}};
+constexpr std::size_t kMostColumns = kColumns + kButtons.size();
 constexpr std::size_t kSampledFrom = 8;  // steps that a file has at least to be called sampled
 constexpr double kHole = 10;             // a step longer than so many usual ones is a hole
 
@@ -42,16 +52,28 @@ std::vector<std::string_view> cellsOf(std::string_view line) {
   for (;;) {
     const std::size_t comma = line.find(',');
     cells.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos || cells.size() > kColumns) return cells;
+    if (comma == std::string_view::npos || cells.size() > kMostColumns) return cells;
     line.remove_prefix(comma + 1);
   }
 }
 
-void expectHeader(std::string_view line, const Place& place) {
-  const std::vector<std::string_view> cells = cellsOf(line);
-  if (!std::equal(cells.begin(), cells.end(), kNames.begin(), kNames.end()))
-    place.fail("the columns are \"" + std::string(line.substr(0, 80)) +
-               "\". Make the first line t,x,y,z (seconds, metres), separated by commas");
+/// The buttons whose columns the file has, in its order.
+std::vector<Button> buttonsIn(std::string_view header, const Place& place) {
+  const std::vector<std::string_view> cells = cellsOf(header);
+  const auto fail = [&] {
+    place.fail(
+        "the columns are \"" + std::string(header.substr(0, 80)) +
+        "\". Make the first line t,x,y,z (seconds, metres), separated by commas; deadman, estop, reset may follow");
+  };
+  if (cells.size() < kColumns || !std::equal(kNames.begin(), kNames.end(), cells.begin())) fail();
+  std::vector<Button> buttons;
+  for (std::size_t i = kColumns; i < cells.size(); ++i) {
+    const auto named = [&](const Button& button) { return cells[i] == button.name; };
+    const auto button = std::find_if(kButtons.begin(), kButtons.end(), named);
+    if (button == kButtons.end() || std::any_of(buttons.begin(), buttons.end(), named)) fail();
+    buttons.push_back(*button);
+  }
+  return buttons;
 }
 
 double numberIn(std::string_view cell, const char* name, const Place& place) {
@@ -64,14 +86,26 @@ double numberIn(std::string_view cell, const char* name, const Place& place) {
   return number;
 }
 
-HandWaypoint waypointIn(std::string_view line, const Place& place) {
+HandWaypoint waypointIn(std::string_view line, const std::vector<Button>& buttons, const Place& place) {
   const std::vector<std::string_view> cells = cellsOf(line);
-  if (cells.size() != kColumns)
-    place.fail((cells.size() > kColumns ? "more than 4" : "only " + std::to_string(cells.size())) +
-               " cells. Give t,x,y,z in every line, separated by commas");
+  const std::size_t columns = kColumns + buttons.size();
+  if (cells.size() != columns)
+    place.fail(
+        (cells.size() > columns ? "more than " + std::to_string(columns) : "only " + std::to_string(cells.size())) +
+        " cells. Give " + (buttons.empty() ? "t,x,y,z" : "all the columns of the header") +
+        " in every line, separated by commas");
   std::array<double, kColumns> numbers{};
   for (std::size_t i = 0; i < kColumns; ++i) numbers[i] = numberIn(cells[i], kNames[i], place);
-  return {numbers[0], Vector3(numbers[1], numbers[2], numbers[3])};
+  HandWaypoint waypoint{numbers[0], Vector3(numbers[1], numbers[2], numbers[3])};
+  for (std::size_t i = 0; i < buttons.size(); ++i) {
+    const std::string_view cell = cells[kColumns + i];
+    if (cell != "0" && cell != "1")
+      place.fail(std::string(buttons[i].name) + " is \"" + std::string(cell.substr(0, 40)) +
+                 "\". Write 1 while it is pressed and 0 else");
+    const unsigned others = waypoint.inputs & ~unsigned{buttons[i].input};
+    waypoint.inputs = static_cast<std::uint16_t>(cell == "1" ? others | buttons[i].input : others);
+  }
+  return waypoint;
 }
 
 std::string contentOf(const std::filesystem::path& path) {
@@ -118,7 +152,7 @@ std::vector<HandWaypoint> readHandFile(const std::filesystem::path& path) {
   std::string_view rest = content;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // byte order mark, as spreadsheets write it
   Place place{path};
-  bool headerSeen = false;
+  std::optional<std::vector<Button>> buttons;
   std::vector<HandWaypoint> waypoints;
   std::vector<std::size_t> lines;
   while (!rest.empty()) {
@@ -127,12 +161,11 @@ std::vector<HandWaypoint> readHandFile(const std::filesystem::path& path) {
     rest.remove_prefix(std::min(end + 1, rest.size()));
     ++place.line;
     if (line.empty() || line.front() == '#') continue;
-    if (!headerSeen) {
-      expectHeader(line, place);
-      headerSeen = true;
+    if (!buttons) {
+      buttons = buttonsIn(line, place);
       continue;
     }
-    const HandWaypoint waypoint = waypointIn(line, place);
+    const HandWaypoint waypoint = waypointIn(line, *buttons, place);
     if (!waypoints.empty() && waypoint.time <= waypoints.back().time)
       place.fail("t is " + shortNumber(waypoint.time) + " s, after " + shortNumber(waypoints.back().time) +
                  " s in the line before. Make the times rise");
@@ -141,7 +174,7 @@ std::vector<HandWaypoint> readHandFile(const std::filesystem::path& path) {
     lines.push_back(place.line);
   }
   place.line = std::max<std::size_t>(place.line, 1);
-  if (!headerSeen) place.fail("the file is empty. Make the first line t,x,y,z and give the hand's places below it");
+  if (!buttons) place.fail("the file is empty. Make the first line t,x,y,z and give the hand's places below it");
   if (waypoints.empty()) place.fail("no waypoint below the header. Give at least one line t,x,y,z");
   expectNoHole(waypoints, lines, place);
   return waypoints;

@@ -1,5 +1,6 @@
 #include "device/parsing/ArmChecks.h"
 
+#include <cmath>
 #include <initializer_list>
 #include <limits>
 
@@ -9,6 +10,7 @@ namespace {
 /// So that the 32-bit counters hold at least 17 turns of a joint either way.
 constexpr double kMostCountsPerRadian = 2e7;
 constexpr double kLongestOffset = 100;  // [m]
+constexpr double kFastestHand = 2000;   // [rad/s], a quarter of a turn a step of the simulation
 
 class Checks {
  public:
@@ -19,6 +21,7 @@ class Checks {
   void sensor() const;
   void counters() const;
   void safety() const;
+  void hand() const;
 
  private:
   using Keys = std::initializer_list<std::string_view>;
@@ -85,6 +88,18 @@ void Checks::safety() const {
   }
 }
 
+void Checks::hand() const {
+  const HandModel& hand = d_.hand;
+  if (hand.gripStiffness <= hand.stiffness)
+    failAt("hand", {"gripStiffness", "stiffness"},
+           "hand.stiffness is that of arm and grip together, so gripStiffness is more than it; raise gripStiffness");
+  const double fastest = std::sqrt(hand.gripStiffness / hand.mass);
+  const double damping = (hand.gripDamping + hand.damping) / hand.mass;
+  if (fastest > kFastestHand || damping > kFastestHand)
+    failAt("hand", {"mass", "gripStiffness", "gripDamping"},
+           "hand.mass is too small for its grip: it would swing faster than 2000 rad/s; raise it");
+}
+
 }  // namespace
 
 void checkWhole(const TomlValues& toml, const toml::table& root, const DeviceDescription& description) {
@@ -93,6 +108,7 @@ void checkWhole(const TomlValues& toml, const toml::table& root, const DeviceDes
   checks.sensor();
   checks.counters();
   checks.safety();
+  checks.hand();
 }
 
 }  // namespace haptiv

@@ -22,7 +22,8 @@ Section drives(JointDrives& drives, int joints) {
            {"inertia", JointList{&drives.inertia, joints}, positive},
            {"bandwidth", JointList{&drives.bandwidth, joints}, positive},
            {"viscousFriction", JointList{&drives.viscousFriction, joints}, notNegative},
-           {"coulombFriction", JointList{&drives.coulombFriction, joints}, notNegative}}};
+           {"coulombFriction", JointList{&drives.coulombFriction, joints}, notNegative},
+           {"brakeDamping", JointList{&drives.brakeDamping, joints}, positive}}};
 }
 
 Section safety(SafetyThresholds& safety, int joints) {
@@ -37,6 +38,21 @@ Section safety(SafetyThresholds& safety, int joints) {
            {"handForceLimit", &safety.handForceLimit, positive},
            {"oscillationSpeed", &safety.oscillationSpeed, positive},
            {"missedTime", &safety.missedTime, positive}}};
+}
+
+Section hand(HandModel& hand) {
+  return {"hand",
+          {{"stiffness", &hand.stiffness, notNegative},
+           {"damping", &hand.damping, notNegative},
+           {"peakForce", &hand.peakForce, positive},
+           {"bandwidth", &hand.bandwidth, positive},
+           {"mass", &hand.mass, positive},
+           {"gripStiffness", &hand.gripStiffness, positive},
+           {"gripDamping", &hand.gripDamping, notNegative},
+           {"gripStrength", &hand.gripStrength, positive},
+           {"turnStiffness", &hand.turnStiffness, notNegative},
+           {"turnDamping", &hand.turnDamping, notNegative},
+           {"peakTorque", &hand.peakTorque, positive}}};
 }
 
 Section control(ControlSettings& control) {
@@ -156,12 +172,9 @@ std::vector<Section> sectionsOf(DeviceDescription& d, int joints) {
         {"forceNoise", &d.sensor.forceNoise, notNegative},
         {"torqueNoise", &d.sensor.torqueNoise, notNegative},
         {"forceRange", &d.sensor.forceRange, positive},
-        {"torqueRange", &d.sensor.torqueRange, positive}}},
-      {"hand",
-       {{"stiffness", &d.hand.stiffness, notNegative},
-        {"damping", &d.hand.damping, notNegative},
-        {"peakForce", &d.hand.peakForce, positive},
-        {"bandwidth", &d.hand.bandwidth, positive}}},
+        {"torqueRange", &d.sensor.torqueRange, positive},
+        {"bandwidth", &d.sensor.bandwidth, positive}}},
+      hand(d.hand),
       control(d.control),
       redundancy(d.redundancy, joints),
       safety(d.safety, joints),

@@ -15,14 +15,20 @@ std::int16_t counts(double value, double range, double resolution) noexcept {
 
 }  // namespace
 
-std::array<std::int16_t, 6> ForceTorqueSensor::measure(const Wrench& wrench) noexcept {
+void ForceTorqueSensor::follow(const Wrench& wrench, double dt) noexcept {
+  const double part = -std::expm1(-sensor_.bandwidth * dt);
+  filtered_.force += part * (wrench.force - filtered_.force);
+  filtered_.torque += part * (wrench.torque - filtered_.torque);
+}
+
+std::array<std::int16_t, 6> ForceTorqueSensor::measure() noexcept {
   std::array<std::int16_t, 6> measured{};
   for (int i = 0; i < 3; ++i) {
-    const double force = wrench.force[i] + sensor_.forceNoise * noise_.next();
+    const double force = filtered_.force[i] + sensor_.forceNoise * noise_.next();
     measured[i] = counts(force, sensor_.forceRange, sensor_.forceResolution);
   }
   for (int i = 0; i < 3; ++i) {
-    const double torque = wrench.torque[i] + sensor_.torqueNoise * noise_.next();
+    const double torque = filtered_.torque[i] + sensor_.torqueNoise * noise_.next();
     measured[3 + i] = counts(torque, sensor_.torqueRange, sensor_.torqueResolution);
   }
   return measured;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "device/safety/SafetySignals.h"
 #include "device/types.h"
 
@@ -10,6 +12,7 @@ struct HandTarget {
   bool holding = false;                  ///< false: the hand has let go, no force
   Vector3 position = Vector3::Zero();    ///< p_BH [m]
   std::uint16_t inputs = kInputDeadMan;  ///< OperatorInput bits
+  std::optional<Matrix3> orientation{};  ///< R_BH; nothing: as the handle stood when the hand took hold of it
 };
 
 /// Says what the hand wants at each tick. Implementations: ScriptedHand, LiveHand.

@@ -25,9 +25,9 @@ HandTarget ScriptedHand::at(double time) noexcept {
                                      [](double t, const HandWaypoint& waypoint) { return t < waypoint.time; });
   if (next == waypoints_.begin()) return {};
   const HandWaypoint& last = *(next - 1);
-  if (next == waypoints_.end()) return {true, last.position};
+  if (next == waypoints_.end()) return {true, last.position, last.inputs};
   const double part = (time - last.time) / (next->time - last.time);
-  return {true, last.position + part * (next->position - last.position)};
+  return {true, last.position + part * (next->position - last.position), last.inputs};
 }
 
 }  // namespace haptiv

@@ -6,10 +6,12 @@
 
 namespace haptiv {
 
-/// At `time` [s] the hand wants to be at `position` [m]; in which frame, the user of it says.
+/// At `time` [s] the hand wants to be at `position` [m]; in which frame, the user of it says. From then on the operator
+/// presses `inputs`, OperatorInput bits.
 struct HandWaypoint {
   double time = 0;
   Vector3 position = Vector3::Zero();
+  std::uint16_t inputs = kInputDeadMan;
 };
 
 /// A hand that follows waypoints (in B), in straight lines between them; it holds the last one for ever and

@@ -4,50 +4,39 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
-#include "device/kinematics/ArmKinematics.h"
+#include "device/board/Board.h"
 #include "device/simulated/Encoder.h"
-#include "device/simulated/ForceTorqueSensor.h"
-#include "device/simulated/HumanHand.h"
-#include "device/simulated/JointDrive.h"
+#include "device/simulated/FaultySensors.h"
+#include "device/simulated/plant/SimulatedArm.h"
 
 namespace haptiv {
-
 namespace {
 
-/// Drives and hand are integrated in steps of at most this [s], so that their motion depends little on the servo's
-/// rate.
-constexpr double kLongestStep = 0.25e-3;
 constexpr double kLongestPeriod = 0.1;
 
-/// What moves, as it is at the beginning of a session.
-struct Motion {
-  Motion(const DeviceDescription& description, const JointVector& angles, std::uint64_t seed)
-      : hand(description.hand), sensor(description.sensor, seed) {
-    const JointDrives& all = description.drives;
-    for (int i = 0; i < kJointCount; ++i) {
-      drives.emplace_back(DriveLimits{all.rateLimit[i], all.torqueLimit[i], all.inertia[i], all.bandwidth[i],
-                                      all.viscousFriction[i], all.coulombFriction[i]},
-                          angles[i]);
-    }
+/// Rounded to encoder counts, so that the arm stands where its encoders say.
+JointVector onCounts(const DeviceDescription& description, JointVector angles) {
+  const JointVector countsPerRadian = description.drives.countsPerRadian();
+  for (int i = 0; i < kJointCount; ++i) {
+    if (!std::isfinite(angles[i]))
+      throw std::runtime_error("start angle of joint " + std::to_string(i + 1) + " is not finite; give one in rad");
+    const Encoder encoder(countsPerRadian[i]);
+    angles[i] = encoder.angle(encoder.count(angles[i]));
   }
+  return angles;
+}
 
-  JointVector angles() const noexcept {
-    JointVector q;
-    for (int i = 0; i < kJointCount; ++i) q[i] = drives[i].angle();
-    return q;
-  }
-  JointVector rates() const noexcept {
-    JointVector w;
-    for (int i = 0; i < kJointCount; ++i) w[i] = drives[i].rate();
-    return w;
-  }
+/// All that a start begins anew.
+struct Running {
+  Running(const DeviceDescription& description, const JointVector& start, std::uint64_t seed)
+      : arm(description, start, seed), board(boardSettings(description)), sensors(description.sensor) {}
 
-  std::vector<JointDrive> drives;  // never grows after construction
-  HumanHand hand;
-  ForceTorqueSensor sensor;
-  Vector3 handForce = Vector3::Zero();  // on the handle in the last step, in B [N]
+  SimulatedArm arm;
+  Board board;
+  FaultySensors sensors;
+  std::int64_t ticks = 0;
+  std::uint32_t commands = 0;  // sent to the board
 };
 
 }  // namespace
@@ -56,71 +45,63 @@ struct SimulatedDevice::Parts {
   Parts(const DeviceDescription& newDescription, const JointVector& start, std::unique_ptr<HandSource> hand,
         std::uint64_t newSeed)
       : description(newDescription),
-        arm(newDescription),
         source(std::move(hand)),
         seed(newSeed),
-        startAngles(start),
-        motion(newDescription, start, newSeed) {
-    const JointVector countsPerRadian = description.drives.countsPerRadian();
-    for (int i = 0; i < kJointCount; ++i) {
-      if (!std::isfinite(start[i])) {
-        throw std::runtime_error("start angle of joint " + std::to_string(i + 1) + " is not finite; give one in rad");
-      }
-      encoders.emplace_back(countsPerRadian[i]);
-      startAngles[i] = encoders[i].angle(encoders[i].count(start[i]));
-    }
+        startAngles(onCounts(description, start)),
+        now(description, startAngles, seed) {
     begin();
   }
 
   void begin();
+  void send(const DeviceCommand& command) noexcept;
   void advance(const DeviceCommand& command) noexcept;
-  void step(const JointVector& setPoints, const HandTarget& target, double dt) noexcept;
-  void measure() noexcept;
+  void tell(double time, std::uint16_t buttons) noexcept;
 
   DeviceDescription description;
-  ArmKinematics arm;
   std::unique_ptr<HandSource> source;
   std::uint64_t seed;
   JointVector startAngles;
-  std::vector<Encoder> encoders;
-  Motion motion;
+  Running now;
+  InjectedFaults faults;
   DeviceReading reading;
   bool running = false;
   double period = 0;
-  std::int64_t ticks = 0;
 };
 
 void SimulatedDevice::Parts::begin() {
-  motion = Motion(description, startAngles, seed);
-  ticks = 0;
-  reading.inputs = 0;  // a dead-man that is held before the start starts nothing
-  measure();
+  now = Running(description, startAngles, seed);
+  tell(0, 0);
+}
+
+/// What the wires say goes to the board, and what the board says to the host, as far as they are whole.
+void SimulatedDevice::Parts::tell(double time, std::uint16_t buttons) noexcept {
+  BoardInputs inputs = now.arm.measure();
+  inputs.buttons = buttons;
+  inputs = now.sensors.falsify(inputs, faults);
+  if (faults.boardFrozen) return;
+  now.board.advance(std::llround(1e6 * time), inputs);
+  if (!faults.disconnected) reading = now.board.report().reading;
+  reading.connected = !faults.disconnected;
+}
+
+void SimulatedDevice::Parts::send(const DeviceCommand& command) noexcept {
+  if (faults.disconnected || faults.hostSilent || faults.boardFrozen) return;
+  ++now.commands;
+  now.board.accept({now.commands, now.commands, command});
 }
 
 void SimulatedDevice::Parts::advance(const DeviceCommand& command) noexcept {
-  const JointVector setPoints = command.enabled ? command.jointRates : JointVector(JointVector::Zero());
-  const HandTarget target = source ? source->at(static_cast<double>(ticks) * period) : HandTarget{};
-  const int steps = static_cast<int>(std::ceil(period / kLongestStep));
-  for (int i = 0; i < steps; ++i) step(setPoints, target, period / steps);
-  ++ticks;
-  reading.inputs = target.inputs;
-  measure();
-}
-
-void SimulatedDevice::Parts::step(const JointVector& setPoints, const HandTarget& target, double dt) noexcept {
-  const JointVector q = motion.angles();
-  const ArmPose at = arm.evaluate(q);
-  const auto J_linear = at.J_BT.topRows<3>();
-  motion.handForce = motion.hand.pull(target, at.X_BT.position, J_linear * motion.rates(), dt);
-  const JointVector load = J_linear.transpose() * motion.handForce;
-  for (int i = 0; i < kJointCount; ++i) motion.drives[i].advance(setPoints[i], load[i], dt);
-}
-
-void SimulatedDevice::Parts::measure() noexcept {
-  const JointVector q = motion.angles();
-  for (int i = 0; i < kJointCount; ++i) reading.encoderCounts[i] = encoders[i].count(q[i]);
-  const Matrix3 R_TB = arm.forward(q).rotation.transpose();
-  reading.sensorCounts = motion.sensor.measure({R_TB * motion.handForce, Vector3::Zero()});
+  const double time = static_cast<double>(now.ticks) * period;
+  const HandTarget target = source ? source->at(time) : HandTarget{};
+  send(command);
+  const int steps = static_cast<int>(std::ceil(period / SimulatedArm::kLongestStep * (1 - 1e-12)));
+  for (int i = 1; i <= steps; ++i) {
+    const DriveDemand demand = faults.boardFrozen ? DriveDemand{} : now.board.demand();
+    now.arm.advance(demand, target, period / steps, faults.motorDead);
+    if (i < steps) tell(time + i * period / steps, target.inputs);
+  }
+  ++now.ticks;
+  tell(static_cast<double>(now.ticks) * period, target.inputs);
 }
 
 SimulatedDevice::SimulatedDevice(const DeviceDescription& description, const JointVector& start,
@@ -149,6 +130,15 @@ void SimulatedDevice::write(const DeviceCommand& command) noexcept {
 
 void SimulatedDevice::stop() {
   parts_->running = false;
+}
+
+void SimulatedDevice::inject(const InjectedFaults& faults) noexcept {
+  parts_->faults = faults;
+}
+
+SimulatedDevice::Truth SimulatedDevice::truth() const noexcept {
+  const SimulatedArm& arm = parts_->now.arm;
+  return {arm.angles(), arm.rates(), arm.torques(), arm.handWrench(), !parts_->now.board.demand().braked};
 }
 
 }  // namespace haptiv

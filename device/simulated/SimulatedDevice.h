@@ -6,17 +6,20 @@
 #include "device/DeviceDescription.h"
 #include "device/HapticDevice.h"
 #include "device/simulated/Hand.h"
+#include "device/simulated/InjectedFaults.h"
 
 namespace haptiv {
 
-/// An arm, its drives, its sensors and an operator's hand, in place of the hardware; deterministic for a given seed.
-/// The servo code cannot tell it from a real device.
+/// An arm, its drives, its sensors, its interface board with the safety circuit, and an operator, in place of the
+/// hardware; deterministic for a given seed. The servo code cannot tell it from a real device. SimulatedArm says what
+/// of the arm is modelled.
 ///
 /// Its time is the servo's: a write advances it by one period, with the set-points held. A start begins anew.
+/// The operator's buttons count from the first write on: a dead-man that is held before starts nothing.
 class SimulatedDevice : public HapticDevice {
  public:
   /// @param start  joint angles at which the arm stands and the session begins [rad], rounded to encoder counts
-  /// @param hand   null: nobody at the handle
+  /// @param hand   null: nobody at the handle, the dead-man's button held down by other means
   /// Throws std::runtime_error where an angle is not finite.
   SimulatedDevice(const DeviceDescription& description, const JointVector& start, std::unique_ptr<HandSource> hand,
                   std::uint64_t seed);
@@ -27,6 +30,18 @@ class SimulatedDevice : public HapticDevice {
   DeviceReading read() noexcept override;
   void write(const DeviceCommand& command) noexcept override;
   void stop() override;
+
+  /// Breaks what is named, and mends the rest, from the next write on; kept over a start. For tests.
+  /// Realtime-safe: yes.  Thread: that of write.
+  void inject(const InjectedFaults& faults) noexcept;
+  /// How the arm really is, whatever the sensors say. Realtime-safe: yes.  Thread: that of write.
+  struct Truth {
+    JointVector angles, rates;  ///< [rad], [rad/s]
+    JointVector torques;        ///< of the motors, at the joints [N m]
+    Wrench hand;                ///< on the handle, in B
+    bool driving = false;       ///< false: the motors brake
+  };
+  Truth truth() const noexcept;
 
  private:
   struct Parts;

@@ -56,7 +56,12 @@ TEST(DeviceDescription, TakesEveryKeyOfItsFormat) {
       "schema = 1\nname = 'small'\n[links]\nscara = 0.1\nforearm = 0.2\nlift = 0.3\nscaraHeight = 0.4\nwristBracket = "
       "1\n"
       "[sensor]\nforceResolution = 1\ntorqueResolution = 2\nforceNoise = 3\ntorqueNoise = 4\nforceRange = 5\n"
-      "torqueRange = 6\n[hand]\nstiffness = 7\ndamping = 8\npeakForce = 9\nbandwidth = 10\n[control]\ndriftGain = 11\n"
+      "torqueRange = 6\nbandwidth = 7\n[bodies]\ngravity = [0, 1, 2]\nlink = [{mass = 3, centre = [4, 5, 6], inertia = "
+      "[7, 8, 9, 0.1, 0.2, 0.3]}, {}, {}, {}, {}, {}, {}, {}, {}, {}]\n"
+      "[drives]\nbrakeDamping = [1,2,3,4,5,6,7,8,9,10]\n"
+      "[hand]\nmass = 1\ngripStiffness = 1000\ngripDamping = 12\ngripStrength = 13\nturnStiffness = 14\n"
+      "turnDamping = 15\npeakTorque = 16\nstiffness = 7\ndamping = 8\npeakForce = 9\nbandwidth = "
+      "10\n[control]\ndriftGain = 11\n"
       "jointGain = 12\nsingularityDamping = 13\nsingularityThreshold = 14\ntrackingErrorLimit = 15\n"
       "[safety]\nwatchdogTime = 16\nvelocityTimeUnit = 0.1\ncountThreshold = "
       "[9e6,9e6,9e6,9e6,9e6,9e6,9e6,9e6,9e6,9e6]\n"
@@ -65,6 +70,17 @@ TEST(DeviceDescription, TakesEveryKeyOfItsFormat) {
       "translationWeight = 22\nrotationWeight = 23\nweighByRateLimits = true\n"
       "normalisationPoses = [[1,2,3,4,5,6,7,8,9,10], [0,0,0,0,0,0,0,0,0,0]]\n[redundancy.stepPartitioned]\ncond = 24\n",
       "small.toml");
+  EXPECT_EQ(d.bodies.gravity, Vector3(0, 1, 2));
+  ASSERT_EQ(d.bodies.links.size(), 10u);
+  EXPECT_EQ(d.bodies.links[0].mass, 3);
+  EXPECT_EQ(d.bodies.links[0].centre, Vector3(4, 5, 6));
+  EXPECT_EQ(d.bodies.links[0].inertia, (Matrix3() << 7, 0.1, 0.2, 0.1, 8, 0.3, 0.2, 0.3, 9).finished());
+  EXPECT_EQ(d.bodies.links[9].mass, 0);
+  EXPECT_EQ(d.drives.brakeDamping[9], 10);
+  EXPECT_EQ(d.sensor.bandwidth, 7);
+  EXPECT_EQ(Vector3(d.hand.mass, d.hand.gripStiffness, d.hand.gripDamping), Vector3(1, 1000, 12));
+  EXPECT_EQ(d.hand.gripStrength, 13);
+  EXPECT_EQ(Vector3(d.hand.turnStiffness, d.hand.turnDamping, d.hand.peakTorque), Vector3(14, 15, 16));
   EXPECT_EQ(d.name, "small");
   EXPECT_EQ(Vector3(d.links.scara, d.links.forearm, d.links.lift), Vector3(0.1, 0.2, 0.3));
   EXPECT_EQ(d.links.scaraHeight, 0.4);
@@ -98,10 +114,17 @@ TEST(DeviceDescription, KeepsDefaultsForMissingKeysButAsksForTheSchema) {
 
 struct BadFile {
   const char* what;
-  const char* toml;
+  std::string toml;
   const char* where;
   const char* says;
 };
+
+/// So many more entries of a list of bodies.
+std::string moreBodies(int count) {
+  std::string bodies;
+  for (int i = 0; i < count; ++i) bodies += ", {}";
+  return bodies;
+}
 
 class BadDescription : public testing::TestWithParam<BadFile> {};
 
@@ -138,6 +161,15 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"ShortPose", "schema = 1\n[redundancy]\nnormalisationPoses = [[1, 2]]\n", "arm.toml:3:23: ", "pose 1"},
         BadFile{"ShutOffInUse", "schema = 1\n[safety]\ncountThreshold = [9e6,9e6,1,9e6,9e6,9e6,9e6,9e6,9e6,9e6]\n",
                 "arm.toml:3:18: ", "joint 3 is below its rateLimit"},
+        BadFile{"TooFewBodies", "schema = 1\n[[bodies.link]]\nmass = 1\n", "arm.toml:2:", "10 bodies"},
+        BadFile{"BodyOfNoMatter",
+                "schema = 1\n[bodies]\nlink = [{inertia = [1, 1, 3, 0, 0, 0]}" + moreBodies(9) + "]\n",
+                "arm.toml:3:9: ", "bodies.link 1.inertia is of no body"},
+        BadFile{"BodyOfNegativeMass", "schema = 1\n[bodies]\nlink = [{mass = -1}" + moreBodies(9) + "]\n",
+                "arm.toml:3:17: ", "negative"},
+        BadFile{"UnknownKeyOfBodies", "schema = 1\n[bodies]\nlinks = []\n", "arm.toml:3:1: ", "bodies.links"},
+        BadFile{"GripSofterThanTheHand", "schema = 1\n[hand]\ngripStiffness = 300\n", "arm.toml:3:17: ", "raise"},
+        BadFile{"HandWithoutMass", "schema = 1\n[hand]\nmass = 1e-6\n", "arm.toml:3:8: ", "swing"},
         BadFile{"LinksOfMillimetres", "schema = 1\n[links]\nscara = 250\n", "arm.toml:3:9: ", "metres"},
         BadFile{"HomeBeyondCounts", "schema = 1\n[home]\nangles = [1e6,0,0,0,0,0,0,0,0,0]\n",
                 "arm.toml:3:10: ", "turns"}),

@@ -43,13 +43,32 @@ HandleSensor quietSensor() {
   return sensor;
 }
 
+/// After long enough for the low-pass.
+std::array<std::int16_t, 6> measured(ForceTorqueSensor& sensor, const Wrench& wrench) {
+  sensor.follow(wrench, 1);
+  return sensor.measure();
+}
+
+TEST(ForceTorqueSensor, FollowsAWrenchAsALowPassOfItsBandwidth) {
+  HandleSensor settings = quietSensor();
+  settings.bandwidth = 1000;
+  ForceTorqueSensor sensor(settings, 0);
+  for (int i = 1; i <= 8; ++i) {
+    sensor.follow({Vector3(100, 0, 0), Vector3(0, 0, -10)}, 0.25e-3);
+    const auto counts = sensor.measure();
+    const double part = 1 - std::exp(-0.25 * i);
+    EXPECT_NEAR(counts[0] * settings.forceResolution, 100 * part, 0.010001);
+    EXPECT_NEAR(counts[5] * settings.torqueResolution, -10 * part, 0.00050001);
+  }
+}
+
 TEST(ForceTorqueSensor, RoundsToItsResolution) {
   const HandleSensor settings = quietSensor();
   ForceTorqueSensor sensor(settings, 0);
   test::Random random(2);
   for (int i = 0; i < 500; ++i) {
     const Wrench wrench{random.vector<Vector3>(-400, 400), random.vector<Vector3>(-30, 30)};
-    const auto counts = sensor.measure(wrench);
+    const auto counts = measured(sensor, wrench);
     for (int axis = 0; axis < 3; ++axis) {
       EXPECT_LE(std::abs(counts[axis] * settings.forceResolution - wrench.force[axis]), 0.010000001);
       EXPECT_LE(std::abs(counts[3 + axis] * settings.torqueResolution - wrench.torque[axis]), 0.00050001);
@@ -59,7 +78,7 @@ TEST(ForceTorqueSensor, RoundsToItsResolution) {
 
 TEST(ForceTorqueSensor, SaturatesAtItsRange) {
   ForceTorqueSensor sensor(quietSensor(), 0);
-  const auto counts = sensor.measure({Vector3(1e9, -1e9, 400.5), Vector3(-31, 1e300, 0)});
+  const auto counts = measured(sensor, {Vector3(1e9, -1e9, 400.5), Vector3(-31, 1e300, 0)});
   EXPECT_EQ(counts, (std::array<std::int16_t, 6>{20000, -20000, 20000, -30000, 30000, 0}));
 }
 
@@ -72,7 +91,7 @@ TEST(ForceTorqueSensor, HasTheNoiseOfItsDescription) {
   constexpr int kSamples = 20000;
   Vector3 sum = Vector3::Zero(), squares = Vector3::Zero();
   for (int i = 0; i < kSamples; ++i) {
-    const auto counts = sensor.measure({});
+    const auto counts = sensor.measure();
     const Vector3 force = 0.001 * Vector3(counts[0], counts[1], counts[2]);
     sum += force;
     squares += force.cwiseAbs2();

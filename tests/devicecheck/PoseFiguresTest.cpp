@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <numbers>
 
-#include "device/kinematics/ArmKinematics.h"
+#include "device/dynamics/ArmDynamics.h"
 #include "tests/support/Random.h"
 
 namespace haptiv {
@@ -20,8 +20,12 @@ class Arms : public testing::TestWithParam<const char*> {
   Specification specification;
   test::Random random{1};
 
-  JointVector carried(const ArmPose& at) const {
-    return at.J_BT.topRows<3>().transpose() * Vector3(0, 0, -9.81 * specification.payload);
+  JointVector heldAt(const JointVector& q) const {
+    return device.bodies.links.empty() ? JointVector(JointVector::Zero()) : ArmDynamics(device).gravity(q);
+  }
+  /// Of payload and links.
+  JointVector carried(const ArmPose& at, const JointVector& q) const {
+    return heldAt(q) + at.J_BT.topRows<3>().transpose() * Vector3(0, 0, 9.81 * specification.payload);
   }
   /// Whether the joints can give this much on top of payload and friction; by so much more than rounding.
   bool canGive(const JointVector& torque, const JointVector& weight, double room) const {
@@ -34,9 +38,10 @@ class Arms : public testing::TestWithParam<const char*> {
 
 TEST_P(Arms, GiveTheForceInEveryDirectionAndNoMoreInTheWorst) {
   for (int i = 0; i < 50; ++i) {
-    const ArmPose at = arm.evaluate(random.vector<JointVector>(-kPi, kPi));
-    const double force = figuresOf(at, device, specification).force;
-    const JointVector weight = carried(at);
+    const auto q = random.vector<JointVector>(-kPi, kPi);
+    const ArmPose at = arm.evaluate(q);
+    const double force = figuresOf(at, heldAt(q), device, specification).force;
+    const JointVector weight = carried(at, q);
     const auto torqueOf = [&](const Vector3& f) { return JointVector(at.J_BT.topRows<3>().transpose() * f); };
     for (int k = 0; k < 20; ++k)
       EXPECT_TRUE(canGive(torqueOf(force * random.vector<Vector3>(-1, 1).normalized()), weight, 1 + 1e-12));
@@ -53,7 +58,7 @@ TEST_P(Arms, MoveAtTheSpeedInEveryDirectionWithoutTurning) {
   for (int i = 0; i < 50; ++i) {
     const ArmPose at = arm.evaluate(random.vector<JointVector>(-kPi, kPi));
     device.safety.speedClamp = 100;
-    const double speed = figuresOf(at, device, specification).speed;
+    const double speed = figuresOf(at, JointVector::Zero(), device, specification).speed;
     for (int k = 0; k < 20; ++k) {
       Vector6 twist = Vector6::Zero();
       twist.head<3>() = speed * random.vector<Vector3>(-1, 1).normalized();
@@ -64,14 +69,14 @@ TEST_P(Arms, MoveAtTheSpeedInEveryDirectionWithoutTurning) {
 }
 
 TEST_P(Arms, TellWhenTheyAreStretchedOut) {
-  const PoseFigures figures = figuresOf(arm.evaluate(JointVector::Zero()), device, specification);
+  const PoseFigures figures = figuresOf(arm.evaluate(JointVector::Zero()), JointVector::Zero(), device, specification);
   EXPECT_LT(figures.manipulability, 1e-6);  // a root: rounding of 1e-16 is 1e-8
   EXPECT_EQ(figures.speed, 0);
 }
 
 TEST_P(Arms, AreNoFasterThanTheirSpeedClamp) {
   device.safety.speedClamp = 0.01;
-  EXPECT_EQ(figuresOf(arm.evaluate(device.homeAngles), device, specification).speed, 0.01);
+  EXPECT_EQ(figuresOf(arm.evaluate(device.homeAngles), JointVector::Zero(), device, specification).speed, 0.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(BuiltIn, Arms, testing::Values("vishard10", "anthropomorphic7"));

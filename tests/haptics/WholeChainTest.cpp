@@ -73,6 +73,23 @@ TEST_F(WholeChain, RestsTenMillimetresDeepUnderTwentyNewtons) {
   EXPECT_NEAR(records.back().environmentForce.x(), -20, 0.02 * 20);
 }
 
+TEST_F(WholeChain, ComesToRestAtTheLabyrinthsStiffestWalls) {
+  for (const double speed : {0.05, 0.5}) {  // m/s
+    HapticScene scene = wallAt({0.05, 0, 0}, 0.1);
+    scene.walls[0].surface.stiffness = 9000;
+    scene.walls[0].surface.damping = 190;  // sqrt(2 m k), eq. (33)
+    const double target = 0.05 - 0.01 + 20. / 9000 + 20 / description.hand.stiffness;
+    const std::vector<TickRecord> records = run(scene, {{0, {0, 0, 0}}, {target / speed, {target, 0, 0}}}, 4);
+    double strongest = 0, weakest = 1000;
+    for (std::size_t i = records.size() - 500; i < records.size(); ++i) {
+      strongest = std::max(strongest, records[i].handForce.norm());
+      weakest = std::min(weakest, records[i].handForce.norm());
+    }
+    EXPECT_LT(strongest - weakest, 0.2);  // the sensor's noise, six standard deviations either way
+    EXPECT_NEAR(strongest, 20, 0.5);
+  }
+}
+
 TEST_F(WholeChain, DoesNotLetTheHardestHandThroughAThinWall) {
   const HapticScene scene = wallAt({0.03, 0, 0}, 0.005);
   const std::vector<TickRecord> records =

@@ -36,6 +36,23 @@ TEST_F(HandFile, GivesTimesAndPlaces) {
   EXPECT_EQ(hand[1].position, Vector3(1, 2, 3));
 }
 
+TEST_F(HandFile, PressesButtonsByColumnsOfTheirOwn) {
+  EXPECT_EQ(read("t,x,y,z\n0,1,2,3\n").front().inputs, kInputDeadMan);
+  const std::vector<HandWaypoint> hand =
+      read("t,x,y,z,estop,deadman,reset\n0,1,2,3,0,1,0\n1,1,2,3,1,0,0\n2,1,2,3,0,0,1\n");
+  EXPECT_EQ(hand[0].inputs, kInputDeadMan);
+  EXPECT_EQ(hand[1].inputs, kInputEmergencyStop1);
+  EXPECT_EQ(hand[2].inputs, kInputReset);
+  EXPECT_EQ(read("t,x,y,z,estop\n0,1,2,3,1\n").front().inputs, kInputDeadMan | kInputEmergencyStop1);
+}
+
+TEST_F(HandFile, TellsButtonsThatAreNone) {
+  EXPECT_THAT(trouble("t,x,y,z,pedal\n0,1,2,3,1\n"), AllOf(HasSubstr("hand.csv:1: "), HasSubstr("deadman")));
+  EXPECT_THAT(trouble("t,x,y,z,reset,reset\n0,1,2,3,1,1\n"), HasSubstr("hand.csv:1: "));
+  EXPECT_THAT(trouble("t,x,y,z,reset\n0,1,2,3,2\n"), AllOf(HasSubstr("hand.csv:2: "), HasSubstr("reset is \"2\"")));
+  EXPECT_THAT(trouble("t,x,y,z,reset\n0,1,2,3\n"), AllOf(HasSubstr("hand.csv:2: "), HasSubstr("only 4 cells")));
+}
+
 TEST_F(HandFile, ToleratesWhatSpreadsheetsAndPeopleAdd) {
   EXPECT_EQ(read("\xEF\xBB\xBF# recorded by hand\r\n t , x,y,z\r\n\r\n0, 1 ,2,3\r\n# half way\r\n1,1,2,3\r\n").size(),
             2u);

@@ -1,0 +1,48 @@
+#include "device/simulated/FaultySensors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace haptiv {
+namespace {
+
+std::int16_t lastCount(double range, double resolution) {
+  constexpr double kMost = std::numeric_limits<std::int16_t>::max();
+  return static_cast<std::int16_t>(std::min(std::floor(range / resolution), kMost));
+}
+
+/// As two's complement counters do it.
+std::int32_t sumWrapping(std::int32_t a, std::int32_t b) noexcept {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
+}
+
+}  // namespace
+
+FaultySensors::FaultySensors(const HandleSensor& sensor) {
+  const std::int16_t force = lastCount(sensor.forceRange, sensor.forceResolution);
+  const std::int16_t torque = lastCount(sensor.torqueRange, sensor.torqueResolution);
+  saturated_ = {force, force, force, torque, torque, torque};
+}
+
+BoardInputs FaultySensors::falsify(const BoardInputs& whole, const InjectedFaults& faults) noexcept {
+  BoardInputs said = whole;
+  for (std::size_t axis = 0; axis < said.sensorCounts.size(); ++axis) {
+    const auto has = [axis](unsigned mask) { return (mask >> axis & 1u) != 0; };
+    std::int16_t& count = said.sensorCounts[axis];
+    if (has(faults.sensorStuck)) count = last_.sensorCounts[axis];
+    if (has(faults.sensorSaturated)) count = saturated_[axis];
+    if (has(faults.sensorDead)) count = 0;
+  }
+  for (std::size_t joint = 0; joint < said.encoderCounts.size(); ++joint) {
+    std::int32_t& count = said.encoderCounts[joint];
+    count = sumWrapping(count, faults.encoderJump[joint]);
+    if ((faults.encoderStuck >> joint & 1u) != 0) count = last_.encoderCounts[joint];
+  }
+  said.encoderFaults |= faults.encoderBroken;
+  said.powerGood = said.powerGood && !faults.powerLost;
+  last_ = said;
+  return said;
+}
+
+}  // namespace haptiv
