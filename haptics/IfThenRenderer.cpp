@@ -41,36 +41,78 @@ void keepHolding(const HapticScene& scene, const Proxy& proxy, const NearSurface
   }
 }
 
+/// Where no mesh is near: the proxy goes with the ball, and stays outside of the walls of the tick before, plane by plane
+/// (Hildreth's row-action method, from their shares). That is near enough to find out which walls are around.
+void followWalls(const ContactSet& before, const Vector3& goal, Proxy& proxy) noexcept {
+  const bool isFree =
+      std::none_of(before.begin(), before.end(), [&](const Contact& c) { return c.offset > c.normal.dot(goal); });
+  if (isFree) {
+    proxy.position = goal;
+    return;
+  }
+  constexpr int kRounds = 2;
+  std::array<double, ContactSet::kMaxContacts> share;
+  std::transform(before.begin(), before.end(), share.begin(), [](const Contact& contact) { return contact.depth; });
+  Vector3 place = proxy.position + goal - before.goal;
+  for (int round = 0; round < kRounds; ++round) {
+    double* pushed = share.data();
+    for (const Contact& contact : before) {
+      const double next = std::max(0.0, *pushed + contact.offset - contact.normal.dot(place));
+      place += (next - *pushed) * contact.normal;
+      *pushed++ = next;
+    }
+  }
+  proxy.goTowards(place);
+}
+
+/// The proxy goes on from where the walls of the tick before let it come to, now held by the walls that are around
+/// there: those that it can meet within its way. Where it is let go and falls farther, it looks farther.
+void meetWalls(const HapticScene& scene, const MeshNeighbourhood& meshes, const Vector3& goal, double radius, double way,
+               NearSurfaces& walls, Proxy& proxy) noexcept {
+  const bool wasHeld = proxy.planes.count > 0;
+  const Vector3 start = proxy.position;
+  const double left = proxy.way;
+  for (const double ahead : {std::min(way, radius), radius}) {
+    findWallsAround(scene, start, radius + ahead, walls);
+    if (!wasHeld && walls.count == 0) return;
+    proxy.position = start;
+    proxy.way = left;
+    proxy.planes.count = 0;
+    addPlanes(proxy.planes, walls, start, radius);
+    slide(scene, meshes, goal, radius, proxy);
+    if ((proxy.position - start).squaredNorm() <= ahead * ahead) return;
+  }
+}
+
 /// Brings the proxy as near to the goal as the walls let it: first held by the exact walls of the tick before, to find
 /// out which are around, then by these.
+/// @param way  how far the proxy may go while it is held [m]
 void touchWalls(const HapticScene& scene, const Vector3& goal, double radius, double way,
                 ContactSet& contacts) noexcept {
   Proxy proxy;
   proxy.position = contacts.surfacePosition;
   proxy.way = way;
-  const Vector3 lastGoal = contacts.toolPosition + contacts.frictionOffset;
   const double certain = 1.001 * (radius + (goal - proxy.position).norm());
-  const double likely = (1 + 1.0 / 128) * radius + 1.1 * (goal - lastGoal).norm();
+  const double likely = (1 + 1.0 / 128) * radius + 1.1 * (goal - contacts.goal).norm();
   const MeshNeighbourhood meshes(scene, proxy.position, std::min(likely, certain), certain);
-  ProxyPlanes planes;
-  addRemembered(scene, contacts, planes);
-  slide(scene, meshes, planes, goal, radius, proxy);
-  NearSurfaces walls;
-  findWallsAround(scene, proxy.position, radius, walls);
-  if (planes.count > 0 || walls.count > 0) {
-    planes.count = 0;
-    addPlanes(planes, walls, proxy.position, radius);
-    slide(scene, meshes, planes, goal, radius, proxy);
+  addRemembered(scene, contacts, proxy.planes);
+  if (meshes.isEmpty()) {
+    followWalls(contacts, goal, proxy);
+  } else {
+    slide(scene, meshes, goal, radius, proxy);
   }
+  NearSurfaces walls;
+  meetWalls(scene, meshes, goal, radius, way, walls, proxy);
   keepHolding(scene, proxy, walls, goal, contacts);
   contacts.surfacePosition = proxy.position;
+  contacts.goal = goal;
 }
 
 /// Where the scene is new or was edited, the proxy comes to rest in it at once: SceneFade lets the force in slowly.
 void settle(const HapticScene& scene, const ToolMotion& tool, ContactSet& contacts) noexcept {
   constexpr int kMostRounds = 32;
   constexpr double kAtRest = 1e-6;  // of the radius
-  if (!contacts.started) contacts.surfacePosition = contacts.toolPosition = tool.position;
+  if (!contacts.started) contacts.surfacePosition = contacts.goal = contacts.toolPosition = tool.position;
   contacts.started = true;
   followEdit(scene, tool.radius, contacts);
   for (int round = 0; round < kMostRounds; ++round) {
@@ -90,7 +132,7 @@ double slipWay(const ToolMotion& tool, const ContactSet& contacts) noexcept {
 ProxyPlanes inwardSpeeds(const ContactSet& contacts, const Vector3& velocity) noexcept {
   ProxyPlanes planes;
   for (const Contact& contact : contacts) planes.add(contact.normal, 0);
-  planes.nearest(velocity);
+  planes.shareOut(velocity);
   return planes;
 }
 

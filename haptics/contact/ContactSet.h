@@ -37,6 +37,7 @@ struct ContactSet {
   bool sliding = false;                       ///< friction does not hold the proxy
   std::uint32_t sceneVersion = 0;             ///< for which `wall` holds
   Vector3 surfacePosition = Vector3::Zero();  ///< the proxy: the ball's centre as the walls allow it, p_WT [m]
+  Vector3 goal = Vector3::Zero();             ///< to which it was drawn [m]
   Vector3 toolPosition = Vector3::Zero();     ///< p_WT [m]
   Vector3 frictionOffset = Vector3::Zero();   ///< from there to where the proxy was to go, in W [m]
 

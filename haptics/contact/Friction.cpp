@@ -37,7 +37,7 @@ const SurfaceProperties& surfaceOf(const HapticScene& scene, const Contact& cont
 Cone coneAt(const HapticScene& scene, const ContactSet& before, const Vector3& goal) noexcept {
   ProxyPlanes planes;
   for (const Contact& contact : before) planes.add(contact.normal, contact.offset);
-  planes.nearest(goal);
+  planes.shareOut(goal);
   Cone cone;
   for (std::size_t i = 0; i < static_cast<std::size_t>(before.count); ++i) {
     const Contact& contact = before.contact[i];

@@ -17,7 +17,10 @@ class MeshNeighbourhood {
  public:
   /// @param likely   within this distance of p_W the proxy will probably stay and feel [m]
   /// @param certain  within this one it will in any case [m]
-  MeshNeighbourhood(const HapticScene& scene, const Vector3& p_W, double likely, double certain) noexcept;
+  MeshNeighbourhood(const HapticScene& scene, const Vector3& p_W, double likely, double certain) noexcept
+      : scene_(scene), centre_(p_W), reach_(likely * (1 - 1e-9)) {
+    if (scene.meshIndex.tree.size() > 0 || scene.wallIndex.tree.size() != scene.walls.size()) measure(likely, certain);
+  }
 
   /// Whether no mesh is as near as the proxy can feel.
   bool isEmpty() const noexcept { return isEmpty_; }
@@ -49,6 +52,8 @@ class MeshNeighbourhood {
     double distance;  ///< from centre_ [m]
   };
   static constexpr std::size_t kMost = 96;
+
+  void measure(double likely, double certain) noexcept;
 
   /// Calls visit(wall) for the mesh walls that `find(tree, visitItem)` finds in the scene's tree.
   template <typename Find, typename Visit>

@@ -1,7 +1,6 @@
 #include "haptics/contact/Proxy.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -19,11 +18,6 @@ bool holds(const ProxyPlanes& planes) noexcept {
   return std::any_of(planes.share.begin(), planes.share.begin() + planes.count, [](double share) { return share > 0; });
 }
 
-void copyPlanes(const ProxyPlanes& from, ProxyPlanes& to) noexcept {
-  to.count = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(from.count); ++i) to.add(from.normal[i], from.offset[i]);
-}
-
 /// Part of the radius that may be left of the way of a proxy that is held; one that is not, has to fall on.
 double enoughAfter(int passes) noexcept {
   return passes < kFewPasses ? kArrived : passes < kMostPasses ? kAlmost : std::numeric_limits<double>::infinity();
@@ -35,38 +29,15 @@ double stride(const MeshNeighbourhood& meshes, const Vector3& from, double lengt
   return known > kStride * radius ? std::min(length, 0.999 * known) : length;
 }
 
-/// The place next to the goal, to rounding: HalfSpaces' own may be a little beyond a plane, where the proxy would hang.
-/// On from there plane by plane (Hildreth's row-action method).
-Vector3 exactPlace(const ProxyPlanes& planes, const Vector3& nearest) noexcept {
-  constexpr int kRounds = 100;
-  constexpr double kSettled = 1e-9;  // of the whole way
-  if (planes.count < 2) return nearest;
-  std::array<double, 2 * ContactSet::kMaxContacts> share = planes.share;
-  Vector3 place = nearest;
-  for (int round = 0; round < kRounds; ++round) {
-    double moved = 0, whole = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(planes.count); ++i) {
-      const double next = std::max(0.0, share[i] + planes.offset[i] - planes.normal[i].dot(place));
-      place += (next - share[i]) * planes.normal[i];
-      moved += std::abs(next - share[i]);
-      whole += next;
-      share[i] = next;
-    }
-    if (!(moved > kSettled * whole)) break;
-  }
-  return place;
-}
-
 /// Without meshes there is nothing to meet on the way.
-void slideAlongWalls(const ProxyPlanes& walls, const Vector3& goal, Proxy& proxy) noexcept {
-  copyPlanes(walls, proxy.planes);
+void slideAlongWalls(const Vector3& goal, Proxy& proxy) noexcept {
   proxy.touching.count = 0;
-  const Vector3 target = proxy.planes.nearest(goal);
-  const Vector3 step = target - proxy.position;
-  const double length = step.norm();
-  const bool isHeld = holds(proxy.planes);
-  proxy.position = isHeld && length > proxy.way ? Vector3(proxy.position + proxy.way / length * step) : target;
-  if (isHeld) proxy.way = std::max(0.0, proxy.way - length);
+  const Vector3 target = proxy.planes.nearest(goal, proxy.position);
+  if (holds(proxy.planes)) {
+    proxy.goTowards(target);
+  } else {
+    proxy.position = target;
+  }
 }
 
 }  // namespace
@@ -78,14 +49,15 @@ void addPlanes(ProxyPlanes& planes, const NearSurfaces& near, const Vector3& pla
   }
 }
 
-void slide(const HapticScene& scene, const MeshNeighbourhood& meshes, const ProxyPlanes& walls, const Vector3& goal,
-           double radius, Proxy& proxy) noexcept {
-  if (meshes.isEmpty()) return slideAlongWalls(walls, goal, proxy);
+void slide(const HapticScene& scene, const MeshNeighbourhood& meshes, const Vector3& goal, double radius,
+           Proxy& proxy) noexcept {
+  if (meshes.isEmpty()) return slideAlongWalls(goal, proxy);
+  const int walls = proxy.planes.count;
   for (int pass = 0;; ++pass) {
     findTouched(scene, meshes, proxy.position, radius, proxy.touching);
-    copyPlanes(walls, proxy.planes);
+    proxy.planes.count = walls;
     addPlanes(proxy.planes, proxy.touching, proxy.position, radius);
-    const Vector3 target = exactPlace(proxy.planes, proxy.planes.nearest(goal));
+    const Vector3 target = proxy.planes.nearest(goal);
     const Vector3 step = target - proxy.position;
     const double length = step.norm();
     const bool isHeld = holds(proxy.planes);

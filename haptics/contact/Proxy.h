@@ -1,6 +1,8 @@
 #pragma once
 
-#include "haptics/HalfSpaces.h"
+#include <algorithm>
+
+#include "haptics/planes/HalfSpaces.h"
 #include "haptics/contact/MeshNeighbourhood.h"
 #include "haptics/contact/NearSurfaces.h"
 
@@ -17,14 +19,22 @@ struct Proxy {
   Vector3 position;       ///< p_WT [m]
   double way;             ///< how far it may still go in this tick while it is held back [m]
   NearSurfaces touching;  ///< out: triangles, measured from `position`
-  ProxyPlanes planes;     ///< out: the exact walls and then the triangles, each with its share of the way from the goal
+  ProxyPlanes planes;     ///< in: the exact walls; out: and then the triangles, each with its share of the way
+
+  /// As far as it may while it is held.
+  void goTowards(const Vector3& target) noexcept {
+    const Vector3 step = target - position;
+    const double length = step.norm();
+    position = length > way ? Vector3(position + way / length * step) : target;
+    way = std::max(0.0, way - length);
+  }
 };
 
 /// Brings the proxy towards its goal: straight on while nothing is touched, then along what is touched, to the place
-/// next to the goal. It never goes through a triangle, however thin, open or fast passed. Exact walls are given as half
-/// spaces, linear around the proxy. Without contact it comes to its goal in any case.
+/// next to the goal. It never goes through a triangle, however thin, open or fast passed. Exact walls are half spaces,
+/// linear around the proxy. Without contact it comes to its goal in any case.
 /// Realtime-safe: yes.
-void slide(const HapticScene& scene, const MeshNeighbourhood& meshes, const ProxyPlanes& walls, const Vector3& goal,
-           double radius, Proxy& proxy) noexcept;
+void slide(const HapticScene& scene, const MeshNeighbourhood& meshes, const Vector3& goal, double radius,
+           Proxy& proxy) noexcept;
 
 }  // namespace haptiv

@@ -28,10 +28,10 @@ void takeNear(NearSurfaces& near, const NearSurface& found) noexcept {
 
 }  // namespace
 
-void findWallsAround(const HapticScene& scene, const Vector3& place, double radius, NearSurfaces& near) noexcept {
+void findWallsAround(const HapticScene& scene, const Vector3& place, double reach, NearSurfaces& near) noexcept {
   near.count = 0;
   const auto isExact = [](const Shape& shape) { return shape.kind != Shape::Kind::mesh; };
-  forEachNear(scene.walls, scene.wallIndex, place, 2 * radius, isExact,
+  forEachNear(scene.walls, scene.wallIndex, place, reach, isExact,
               [&](std::size_t wall, const SurfacePoint& surface) {
                 takeNear(near, {static_cast<std::int32_t>(wall), surface.face, surface.distance, surface.normal});
               });

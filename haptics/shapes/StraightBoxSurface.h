@@ -30,7 +30,8 @@ inline SurfacePoint nearestOnStraightBox(const StraightBox& box, const BesideBox
   }
   const double side = point.along[most] < 0 ? -1 : 1;
   SurfacePoint nearest{point.gap[most], side * box.normal.col(most), static_cast<int>(2 * most + (side < 0 ? 1 : 0))};
-  if ((point.gap.array() > 0).count() < 2) return nearest;  // inside, or above that face
+  const int beside = (point.gap[0] > 0 ? 1 : 0) + (point.gap[1] > 0 ? 1 : 0) + (point.gap[2] > 0 ? 1 : 0);
+  if (beside < 2) return nearest;  // inside, or above that face
   const Vector3 beyond = point.gap.cwiseMax(0).cwiseProduct(point.along.cwiseSign());
   nearest.distance = beyond.norm();
   if (nearest.distance > 1e-12 * box.half.maxCoeff()) nearest.normal = box.normal * (beyond / nearest.distance);
