@@ -68,8 +68,7 @@ void followWalls(const ContactSet& before, const Vector3& goal, Proxy& proxy) no
 /// The proxy goes on from where the walls of the tick before let it come to, now held by the walls that are around
 /// there: those that it can meet within its way. Where it is let go and falls farther, it looks farther.
 void meetWalls(const HapticScene& scene, const MeshNeighbourhood& meshes, const Vector3& goal, double radius, double way,
-               NearSurfaces& walls, Proxy& proxy) noexcept {
-  const bool wasHeld = proxy.planes.count > 0;
+               bool wasHeld, NearSurfaces& walls, Proxy& proxy) noexcept {
   const Vector3 start = proxy.position;
   const double left = proxy.way;
   for (const double ahead : {std::min(way, radius), radius}) {
@@ -96,13 +95,14 @@ void touchWalls(const HapticScene& scene, const Vector3& goal, double radius, do
   const double likely = (1 + 1.0 / 128) * radius + 1.1 * (goal - contacts.goal).norm();
   const MeshNeighbourhood meshes(scene, proxy.position, std::min(likely, certain), certain);
   addRemembered(scene, contacts, proxy.planes);
+  const bool wasHeld = proxy.planes.count > 0;
   if (meshes.isEmpty()) {
     followWalls(contacts, goal, proxy);
   } else {
     slide(scene, meshes, goal, radius, proxy);
   }
   NearSurfaces walls;
-  meetWalls(scene, meshes, goal, radius, way, walls, proxy);
+  meetWalls(scene, meshes, goal, radius, way, wasHeld, walls, proxy);
   keepHolding(scene, proxy, walls, goal, contacts);
   contacts.surfacePosition = proxy.position;
   contacts.goal = goal;
