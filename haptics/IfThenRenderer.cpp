@@ -41,8 +41,8 @@ void keepHolding(const HapticScene& scene, const Proxy& proxy, const NearSurface
   }
 }
 
-/// Where no mesh is near: the proxy goes with the ball, and stays outside of the walls of the tick before, plane by plane
-/// (Hildreth's row-action method, from their shares). That is near enough to find out which walls are around.
+/// Where no mesh is near: the proxy goes with the ball, and stays outside of the walls of the tick before, plane by
+/// plane (Hildreth's row-action method, from their shares). That is near enough to find out which walls are around.
 void followWalls(const ContactSet& before, const Vector3& goal, Proxy& proxy) noexcept {
   const bool isFree =
       std::none_of(before.begin(), before.end(), [&](const Contact& c) { return c.offset > c.normal.dot(goal); });
@@ -67,7 +67,7 @@ void followWalls(const ContactSet& before, const Vector3& goal, Proxy& proxy) no
 
 /// The proxy goes on from where the walls of the tick before let it come to, now held by the walls that are around
 /// there: those that it can meet within its way. Where it is let go and falls farther, it looks farther.
-void meetWalls(const HapticScene& scene, const MeshNeighbourhood& meshes, const Vector3& goal, double radius, double way,
+void meetWalls(const HapticScene& scene, MeshNeighbourhood& meshes, const Vector3& goal, double radius, double way,
                bool wasHeld, NearSurfaces& walls, Proxy& proxy) noexcept {
   const Vector3 start = proxy.position;
   const double left = proxy.way;
@@ -91,11 +91,13 @@ void touchWalls(const HapticScene& scene, const Vector3& goal, double radius, do
   Proxy proxy;
   proxy.position = contacts.surfacePosition;
   proxy.way = way;
-  const double certain = 1.001 * (radius + (goal - proxy.position).norm());
-  const double likely = (1 + 1.0 / 128) * radius + 1.1 * (goal - contacts.goal).norm();
-  const MeshNeighbourhood meshes(scene, proxy.position, std::min(likely, certain), certain);
   addRemembered(scene, contacts, proxy.planes);
   const bool wasHeld = proxy.planes.count > 0;
+  // The proxy goes with the ball, or less far: what is around the middle of that way is near all of it.
+  const Vector3 step = goal - contacts.goal;
+  const double certain = 1.001 * (radius + (goal - proxy.position).norm()) + 0.5 * step.norm();
+  const double likely = (1 + 1.0 / 128) * radius + 0.55 * step.norm();
+  MeshNeighbourhood meshes(scene, proxy.position + 0.5 * step, std::min(likely, certain), certain);
   if (meshes.isEmpty()) {
     followWalls(contacts, goal, proxy);
   } else {

@@ -2,7 +2,7 @@
 
 namespace haptiv {
 
-void MeshNeighbourhood::measure(double likely, double certain) noexcept {
+void MeshNeighbourhood::find(double likely, double certain) noexcept {
   searchWalls(
       scene_, [&](const BoundingTree& tree, auto&& found) { tree.forEachWithin(centre_, certain, found); },
       [&](std::uint32_t) { isEmpty_ = false; });
@@ -10,10 +10,13 @@ void MeshNeighbourhood::measure(double likely, double certain) noexcept {
   search([&](const BoundingTree& tree, auto&& found) { tree.forEachWithin(centre_, likely, found); },
          [&](std::uint32_t wall, std::uint32_t triangle) {
            if (!isKept_) return;
-           const double distance = (closest(wall, triangle, centre_) - centre_).norm();
-           if (distance > likely) return;
+           const Vector3 at = closest(wall, triangle, centre_);
+           if ((at - centre_).squaredNorm() > likely * likely) return;
            isKept_ = count_ < kMost;
-           if (isKept_) near_[count_++] = {wall, triangle, distance};
+           if (!isKept_) return;
+           wall_[count_] = wall;
+           triangle_[count_] = triangle;
+           bound(count_++, centre_, at);
          });
 }
 

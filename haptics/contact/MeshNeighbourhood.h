@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 
 #include "haptics/HapticScene.h"
 #include "haptics/meshes/TrianglePoint.h"
@@ -11,15 +12,18 @@ namespace haptiv {
 
 /// The triangles of the scene's mesh walls that the proxy may meet within a tick. Lives for that tick.
 ///
-/// What is near the proxy is measured once and kept; where that is not enough (a long way, very many triangles), the
-/// trees are asked each time: slower, and the same. Realtime-safe: yes.
+/// What is near the proxy's way is found once and kept; where that is not enough (a long way, very many triangles), the
+/// trees are asked each time: slower, and the same. Of a kept triangle it is known from where it was measured last how
+/// near it can be elsewhere: its distance is convex, so it is nowhere nearer than along the normal of that place. Most
+/// need not be measured again. Realtime-safe: yes.
 class MeshNeighbourhood {
  public:
-  /// @param likely   within this distance of p_W the proxy will probably stay and feel [m]
+  /// @param p_W      around which the proxy will be
+  /// @param likely   within this distance of p_W it will probably stay and feel [m]
   /// @param certain  within this one it will in any case [m]
   MeshNeighbourhood(const HapticScene& scene, const Vector3& p_W, double likely, double certain) noexcept
       : scene_(scene), centre_(p_W), reach_(likely * (1 - 1e-9)) {
-    if (scene.meshIndex.tree.size() > 0 || scene.wallIndex.tree.size() != scene.walls.size()) measure(likely, certain);
+    if (scene.meshIndex.tree.size() > 0 || scene.wallIndex.tree.size() != scene.walls.size()) find(likely, certain);
   }
 
   /// Whether no mesh is as near as the proxy can feel.
@@ -33,27 +37,51 @@ class MeshNeighbourhood {
   /// Calls visit(wall, triangle, closest) for the triangles that are no farther from p_W than `reach`; `closest` is
   /// the triangle's point nearest to p_W.
   template <typename Visit>
-  void forEachNear(const Vector3& p_W, double reach, Visit&& visit) const noexcept;
+  void forEachNear(const Vector3& p_W, double reach, Visit&& visit) noexcept;
 
-  /// Calls visit(wall, triangle) for the triangles that a ball of radius `reach` may touch on the straight way.
+  /// Calls visit(wall, triangle, closest) for the nearest triangle, where it is kept and no farther than `reach`.
   template <typename Visit>
-  void forEachAlong(const Vector3& from_W, const Vector3& to_W, double reach, Visit&& visit) const noexcept;
+  void nearest(const Vector3& p_W, double reach, Visit&& visit) noexcept;
 
-  /// The triangle's point nearest to p_W.
+  /// Calls visit(start, closest) for the triangles that a ball may touch on its straight way before it has gone `free`,
+  /// which the visitor may shorten: before `start` it does not touch this one, and closest(p_W) is the triangle's point
+  /// nearest to a place. The one that seems to be met first comes first.
+  template <typename Visit>
+  void forEachAlong(const Vector3& from_W, const Vector3& direction, double radius, const double& free,
+                    Visit&& visit) noexcept;
+
+ private:
+  static constexpr std::size_t kMost = 128;
+
+  void find(double likely, double certain) noexcept;
+
   Vector3 closest(std::uint32_t wall, std::uint32_t triangle, const Vector3& p_W) const noexcept {
     const TriangleMesh& mesh = *scene_.walls[wall].shape.mesh;
     return closestOnTriangle(p_W, mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2));
   }
 
- private:
-  struct Near {
-    std::uint32_t wall;
-    std::uint32_t triangle;
-    double distance;  ///< from centre_ [m]
-  };
-  static constexpr std::size_t kMost = 96;
+  /// The kept triangle's point nearest to p_W; and from now on its bound is the one from there.
+  Vector3 measure(std::size_t i, const Vector3& p_W) noexcept {
+    const Vector3 at = closest(wall_[i], triangle_[i], p_W);
+    bound(i, p_W, at);
+    return at;
+  }
+  void bound(std::size_t i, const Vector3& p_W, const Vector3& at) noexcept {
+    const Vector3 away = p_W - at;
+    const double distance = away.norm();
+    const Vector3 normal = distance > 0 ? Vector3(away / distance) : Vector3::Zero();
+    for (std::size_t axis = 0; axis < 3; ++axis) normal_[axis][i] = normal[static_cast<Eigen::Index>(axis)];
+    const double rounding = 4e-15 * p_W.cwiseAbs().maxCoeff();
+    offset_[i] = distance - normal.dot(p_W - centre_) - rounding;
+  }
 
-  void measure(double likely, double certain) noexcept;
+  /// No kept triangle is nearer to p_W than this, each.
+  void boundDistances(const Vector3& p_W, std::array<double, kMost>& least) const noexcept {
+    const Vector3 p = p_W - centre_;
+    for (std::size_t i = 0; i < count_; ++i) {
+      least[i] = offset_[i] + normal_[0][i] * p.x() + normal_[1][i] * p.y() + normal_[2][i] * p.z();
+    }
+  }
 
   /// Calls visit(wall) for the mesh walls that `find(tree, visitItem)` finds in the scene's tree.
   template <typename Find, typename Visit>
@@ -63,10 +91,10 @@ class MeshNeighbourhood {
   template <typename Find, typename Visit>
   void search(Find&& find, Visit&& visit) const noexcept;
 
-  /// Calls visit(wall, triangle) for kept triangles within `reach` of p_W, and perhaps others; false where not all
-  /// that are within reach are kept.
-  template <typename Visit>
-  bool forEachKept(const Vector3& p_W, double reach, Visit&& visit) const noexcept;
+  /// Whether all that are within `reach` of p_W are kept.
+  bool areKept(const Vector3& p_W, double reach) const noexcept {
+    return isKept_ && reach + (p_W - centre_).norm() <= reach_;
+  }
 
   const HapticScene& scene_;
   Vector3 centre_;
@@ -74,7 +102,9 @@ class MeshNeighbourhood {
   bool isEmpty_ = true;
   bool isKept_ = true;  ///< all within reach_
   std::size_t count_ = 0;
-  std::array<Near, kMost> near_;
+  std::array<std::uint32_t, kMost> wall_, triangle_;
+  std::array<std::array<double, kMost>, 3> normal_;  ///< by axis: |x - triangle| >= normal . (x - centre_) + offset ...
+  std::array<double, kMost> offset_;                 ///< ... for all places x [m]
 };
 
 template <typename Find, typename Visit>
@@ -98,30 +128,67 @@ void MeshNeighbourhood::search(Find&& find, Visit&& visit) const noexcept {
 }
 
 template <typename Visit>
-bool MeshNeighbourhood::forEachKept(const Vector3& p_W, double reach, Visit&& visit) const noexcept {
-  const double farthest = reach + (p_W - centre_).norm();
-  if (!isKept_ || !(farthest <= reach_)) return false;
-  for (std::size_t i = 0; i < count_; ++i) {
-    if (near_[i].distance <= farthest) visit(near_[i].wall, near_[i].triangle);
-  }
-  return true;
-}
-
-template <typename Visit>
-void MeshNeighbourhood::forEachNear(const Vector3& p_W, double reach, Visit&& visit) const noexcept {
-  const auto measure = [&](std::uint32_t wall, std::uint32_t triangle) {
-    const Vector3 at = closest(wall, triangle, p_W);
+void MeshNeighbourhood::forEachNear(const Vector3& p_W, double reach, Visit&& visit) noexcept {
+  const auto take = [&](std::uint32_t wall, std::uint32_t triangle, const Vector3& at) {
     if ((at - p_W).squaredNorm() <= reach * reach) visit(wall, triangle, at);
   };
-  if (forEachKept(p_W, reach, measure)) return;
-  search([&](const BoundingTree& tree, auto&& found) { tree.forEachWithin(p_W, reach, found); }, measure);
+  if (!areKept(p_W, reach)) {
+    search([&](const BoundingTree& tree, auto&& found) { tree.forEachWithin(p_W, reach, found); },
+           [&](std::uint32_t wall, std::uint32_t triangle) { take(wall, triangle, closest(wall, triangle, p_W)); });
+    return;
+  }
+  std::array<double, kMost> least;
+  boundDistances(p_W, least);
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (least[i] <= reach) take(wall_[i], triangle_[i], measure(i, p_W));
+  }
 }
 
 template <typename Visit>
-void MeshNeighbourhood::forEachAlong(const Vector3& from_W, const Vector3& to_W, double reach,
-                                     Visit&& visit) const noexcept {
-  if (forEachKept(from_W, reach + (to_W - from_W).norm(), visit)) return;
-  search([&](const BoundingTree& tree, auto&& found) { tree.forEachAlong(from_W, to_W, reach, found); }, visit);
+void MeshNeighbourhood::nearest(const Vector3& p_W, double reach, Visit&& visit) noexcept {
+  if (!areKept(p_W, reach) || count_ == 0) return;
+  std::array<double, kMost> least;
+  boundDistances(p_W, least);
+  Vector3 at = Vector3::Zero();
+  for (std::size_t last = count_;;) {
+    const auto i = static_cast<std::size_t>(std::min_element(least.begin(), least.begin() + count_) - least.begin());
+    if (!(least[i] <= reach)) return;
+    if (i == last) return visit(wall_[i], triangle_[i], at);
+    at = measure(i, p_W);
+    least[i] = (p_W - at).norm();
+    last = i;
+  }
+}
+
+template <typename Visit>
+void MeshNeighbourhood::forEachAlong(const Vector3& from_W, const Vector3& direction, double radius, const double& free,
+                                     Visit&& visit) noexcept {
+  if (!areKept(from_W, radius + free)) {
+    const Vector3 to_W = from_W + free * direction;
+    search([&](const BoundingTree& tree, auto&& found) { tree.forEachAlong(from_W, to_W, radius, found); },
+           [&](std::uint32_t wall, std::uint32_t triangle) {
+             visit(0.0, [&](const Vector3& p) { return closest(wall, triangle, p); });
+           });
+    return;
+  }
+  std::array<double, kMost> start;
+  boundDistances(from_W, start);
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const double approach =
+        -(normal_[0][i] * direction.x() + normal_[1][i] * direction.y() + normal_[2][i] * direction.z());
+    start[i] = std::max(0.0, (start[i] - radius) / std::max(approach, std::numeric_limits<double>::min()));
+  }
+  for (std::size_t i = 1; i < count_; ++i) {
+    if (start[i] < start[first]) first = i;
+  }
+  const auto meet = [&](std::size_t i) {
+    if (start[i] < free) visit(start[i], [&](const Vector3& p) { return measure(i, p); });
+  };
+  if (count_ > 0) meet(first);
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (i != first) meet(i);
+  }
 }
 
 }  // namespace haptiv

@@ -9,9 +9,10 @@
 namespace haptiv {
 namespace {
 
-constexpr double kTouch = 1e-7;       ///< of the radius. Twice as high over an edge the normal is off by 6.4e-4:
-constexpr double kSameNormal = 1e-3;  ///< so these are one
-constexpr double kGraze = 1e-3;       ///< and this is no obstacle
+constexpr double kTouch = 1e-7;              ///< of the radius. Twice as high over an edge the normal is off by 6.4e-4:
+constexpr double kSameNormal = 1e-3;         ///< so these are one
+constexpr double kGraze = 1e-3;              ///< and this is no obstacle
+constexpr double kAboutToTouch = 1.0 / 256;  ///< of the radius
 
 /// Takes a touch into the list, or in the place of one of the same normal that is farther.
 void takeTouch(NearSurfaces& list, const NearSurface& touch) noexcept {
@@ -35,29 +36,31 @@ double touchTolerance(const Vector3& p_W, double radius) noexcept {
   return kTouch * radius + 1e-15 * p_W.cwiseAbs().maxCoeff();
 }
 
-void findTouched(const HapticScene& scene, const MeshNeighbourhood& meshes, const Vector3& p_W, double radius,
+void findTouched(const HapticScene& scene, MeshNeighbourhood& meshes, const Vector3& p_W, double radius,
                  NearSurfaces& touched) noexcept {
   touched.count = 0;
   const double reach = radius + 2 * touchTolerance(p_W, radius);
-  meshes.forEachNear(p_W, reach, [&](std::uint32_t wall, std::uint32_t triangle, const Vector3& closest) {
+  const auto touch = [&](std::uint32_t wall, std::uint32_t triangle, const Vector3& closest) {
     const Vector3 away = p_W - closest;
     const double distance = away.norm();
     const Vector3 normal =
         distance > kTouch * radius ? Vector3(away / distance) : faceNormal(*scene.walls[wall].shape.mesh, triangle);
     takeTouch(touched, {static_cast<std::int32_t>(wall), static_cast<int>(triangle), distance, normal});
-  });
+  };
+  meshes.forEachNear(p_W, reach, touch);
+  if (touched.count == 0) meshes.nearest(p_W, (1 + kAboutToTouch) * radius, touch);
 }
 
-double freeLength(const MeshNeighbourhood& meshes, const Vector3& from_W, const Vector3& direction, double length,
+double freeLength(MeshNeighbourhood& meshes, const Vector3& from_W, const Vector3& direction, double length,
                   double radius) noexcept {
   constexpr int kNewtonSteps = 40;
   const double tolerance = touchTolerance(from_W, radius);
   double free = length;
-  meshes.forEachAlong(from_W, from_W + length * direction, radius, [&](std::uint32_t wall, std::uint32_t triangle) {
-    double gone = 0;
+  meshes.forEachAlong(from_W, direction, radius, free, [&](double start, auto&& closest) {
+    double gone = start;
     for (int step = 0; step < kNewtonSteps; ++step) {
       const Vector3 p = from_W + gone * direction;
-      const Vector3 away = p - meshes.closest(wall, triangle, p);
+      const Vector3 away = p - closest(p);
       const double distance = away.norm();
       const double growth = away.dot(direction);  // of the distance along the way, times the distance
       // Even to the end of the way, a grazed triangle is not entered by more than an eighth of the radius.

@@ -12,10 +12,10 @@ namespace haptiv {
 /// The distance that counts as touching, beyond the ball's radius [m].
 double touchTolerance(const Vector3& p_W, double radius) noexcept;
 
-/// The triangles that touch a ball. Of those of one wall whose normals differ by less than a thousandth only the
-/// nearest counts: the ball rolls over inner edges of a flat or finely curved surface as if they were not there.
-/// Realtime-safe: yes.
-void findTouched(const HapticScene& scene, const MeshNeighbourhood& meshes, const Vector3& p_W, double radius,
+/// The triangles that touch a ball; where none does, the nearest one, if it is about to be touched. Of those of one
+/// wall whose normals differ by less than a thousandth only the nearest counts: the ball rolls over inner edges of a
+/// flat or finely curved surface as if they were not there. Realtime-safe: yes.
+void findTouched(const HapticScene& scene, MeshNeighbourhood& meshes, const Vector3& p_W, double radius,
                  NearSurfaces& touched) noexcept;
 
 /// How far a ball gets on the straight way before it touches a triangle, 0 to `length` [m]. Triangles that it only
@@ -23,7 +23,7 @@ void findTouched(const HapticScene& scene, const MeshNeighbourhood& meshes, cons
 ///
 /// The distance to a triangle is convex along the way, so Newton's steps come to the first touch from before it, and
 /// never pass it. Realtime-safe: yes.
-double freeLength(const MeshNeighbourhood& meshes, const Vector3& from_W, const Vector3& direction, double length,
+double freeLength(MeshNeighbourhood& meshes, const Vector3& from_W, const Vector3& direction, double length,
                   double radius) noexcept;
 
 }  // namespace haptiv

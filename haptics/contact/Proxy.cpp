@@ -49,7 +49,7 @@ void addPlanes(ProxyPlanes& planes, const NearSurfaces& near, const Vector3& pla
   }
 }
 
-void slide(const HapticScene& scene, const MeshNeighbourhood& meshes, const Vector3& goal, double radius,
+void slide(const HapticScene& scene, MeshNeighbourhood& meshes, const Vector3& goal, double radius,
            Proxy& proxy) noexcept {
   if (meshes.isEmpty()) return slideAlongWalls(goal, proxy);
   const int walls = proxy.planes.count;

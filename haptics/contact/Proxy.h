@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "haptics/planes/HalfSpaces.h"
 #include "haptics/contact/MeshNeighbourhood.h"
 #include "haptics/contact/NearSurfaces.h"
+#include "haptics/planes/HalfSpaces.h"
 
 namespace haptiv {
 
@@ -34,7 +34,7 @@ struct Proxy {
 /// next to the goal. It never goes through a triangle, however thin, open or fast passed. Exact walls are half spaces,
 /// linear around the proxy. Without contact it comes to its goal in any case.
 /// Realtime-safe: yes.
-void slide(const HapticScene& scene, const MeshNeighbourhood& meshes, const Vector3& goal, double radius,
+void slide(const HapticScene& scene, MeshNeighbourhood& meshes, const Vector3& goal, double radius,
            Proxy& proxy) noexcept;
 
 }  // namespace haptiv

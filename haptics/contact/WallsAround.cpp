@@ -31,10 +31,9 @@ void takeNear(NearSurfaces& near, const NearSurface& found) noexcept {
 void findWallsAround(const HapticScene& scene, const Vector3& place, double reach, NearSurfaces& near) noexcept {
   near.count = 0;
   const auto isExact = [](const Shape& shape) { return shape.kind != Shape::Kind::mesh; };
-  forEachNear(scene.walls, scene.wallIndex, place, reach, isExact,
-              [&](std::size_t wall, const SurfacePoint& surface) {
-                takeNear(near, {static_cast<std::int32_t>(wall), surface.face, surface.distance, surface.normal});
-              });
+  forEachNear(scene.walls, scene.wallIndex, place, reach, isExact, [&](std::size_t wall, const SurfacePoint& surface) {
+    takeNear(near, {static_cast<std::int32_t>(wall), surface.face, surface.distance, surface.normal});
+  });
 }
 
 }  // namespace haptiv

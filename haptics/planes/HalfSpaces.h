@@ -34,13 +34,14 @@ struct HalfSpaces {
   ///
   /// and are then stretched to reach the planes. They are unique, change continuously with all planes (by no more
   /// than 1 / d times as much) and do not depend on their order: planes on one spot share alike. Their sum along the
-  /// normals is the way to the nearest point for one plane, for orthogonal and for coinciding ones, else within d of it.
+  /// normals is the way to the nearest point for one plane, for orthogonal and for coinciding ones, else within d of
+  /// it.
   ///
   /// Newton's method on the planes that push: a few steps, each a 3 x 3 system. Realtime-safe: yes.
   void shareOut(const Vector3& p) noexcept { shareOut(p, p); }
 
-  /// The same, and the nearest point to p that is in all of them: exact, as the sum of the shares is not. Where no point
-  /// is in all of them (a gap narrower than the ball) it is where the shares lead to: between.
+  /// The same, and the nearest point to p that is in all of them: exact, as the sum of the shares is not. Where no
+  /// point is in all of them (a gap narrower than the ball) it is where the shares lead to: between.
   ///
   /// @param guess  where it probably is: saves steps, and does not change the point
   /// Realtime-safe: yes.

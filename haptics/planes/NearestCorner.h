@@ -9,9 +9,9 @@
 
 namespace haptiv {
 
-/// The point nearest to the origin with normal . y >= offset for all planes, to rounding: on a face, an edge or a corner
-/// of what they leave free. Nothing where no point is in all of them, or where planes that it depends on are parallel
-/// to within a hundred-thousandth.
+/// The point nearest to the origin with normal . y >= offset for all planes, to rounding: on a face, an edge or a
+/// corner of what they leave free. Nothing where no point is in all of them, or where planes that it depends on are
+/// parallel to within a hundred-thousandth.
 ///
 /// From the origin to the plane that is violated most, from there to the next one: each time the nearest point for up
 /// to three old planes and the new one, which is farther away each time (a dual active-set method).
