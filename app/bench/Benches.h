@@ -8,6 +8,9 @@ namespace haptiv {
 void benchCollision(BenchRun& run);
 /// From the text of 100k walls to what the servo reads; and what an edit costs among 10k walls. Needs initSceneGraph.
 void benchCompile(BenchRun& run);
+/// A thousand edits in a row of a session that runs and is logged: the ticks that are missed meanwhile, and those that
+/// are missed in the pauses between, when nothing is edited. Needs initSceneGraph.
+void benchEdits(BenchRun& run);
 /// A whole tick of the simulated arm among 10k walls.
 void benchTick(BenchRun& run);
 /// Joint rates by every strategy and solution, the Jacobian included; the peer is Orocos KDL, where it is built in.
@@ -27,6 +30,8 @@ struct Bench {
 inline constexpr Bench kBenches[] = {
     {"tick", benchTick}, {"collision", benchCollision}, {"ik", benchIk}, {"compile", benchCompile},
     {"log", benchLog},   {"wall", benchWall},
+    {"tick", benchTick},       {"collision", benchCollision}, {"ik", benchIk},
+    {"compile", benchCompile}, {"edits", benchEdits},         {"log", benchLog},
 };
 
 }  // namespace haptiv

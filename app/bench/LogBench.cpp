@@ -1,9 +1,8 @@
-#include <unistd.h>
-
 #include <filesystem>
 
 #include "app/bench/ArmOnFloor.h"
 #include "app/bench/Benches.h"
+#include "app/bench/TemporaryFile.h"
 #include "app/session/log/SessionLogWriter.h"
 #include "haptics/FastLoop.h"
 
@@ -12,23 +11,6 @@ namespace {
 
 constexpr std::size_t kBlock = 500;  // [ticks]: what a session at 1 kHz brings to the disk at a time
 constexpr std::size_t kBlocks = 40;
-
-/// Removes the file at the end, however it comes.
-class TemporaryFile {
- public:
-  TemporaryFile()
-      : path_(std::filesystem::temp_directory_path() / ("haptiv-bench-" + std::to_string(getpid()) + ".h5")) {}
-  ~TemporaryFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace
 

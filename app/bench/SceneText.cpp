@@ -9,8 +9,12 @@ std::string sceneText(const HapticScene& scene) {
   std::string text = "#Inventor V2.1 ascii\n";
   std::array<char, 320> line{};
   const auto append = [&](int length) { text.append(line.data(), static_cast<std::size_t>(length)); };
-  append(std::snprintf(line.data(), line.size(), "HapticTool { radius %.6g home 0 0 %.6g }\n", scene.tool.radius,
-                       scene.tool.home.z()));
+  const Vector3& base = scene.device.position;
+  const Vector3& home = scene.tool.home;
+  append(std::snprintf(line.data(), line.size(), "HapticDevice { position %.8g %.8g %.8g }\n", base.x(), base.y(),
+                       base.z()));
+  append(std::snprintf(line.data(), line.size(), "HapticTool { mass %.6g radius %.6g home %.8g %.8g %.8g }\n",
+                       scene.tool.mass, scene.tool.radius, home.x(), home.y(), home.z()));
   for (const Wall& wall : scene.walls) {
     const Vector3& p = wall.shape.centre;
     const Vector3 size = 2 * wall.shape.axes.diagonal();

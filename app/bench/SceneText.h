@@ -6,7 +6,8 @@
 
 namespace haptiv {
 
-/// Upright box walls as the text of a scene: each with a surface, a translation and a cube of its own.
+/// Tool, device and upright box walls as the text of a scene: each wall with a surface, a translation and a cube of its
+/// own.
 std::string sceneText(const HapticScene& scene);
 
 }  // namespace haptiv
