@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "haptics/SameShapes.h"
 #include "scenegraph/compiling/SceneCollector.h"
 
 namespace haptiv {
@@ -17,7 +18,7 @@ std::size_t drawnTriangles(SoNode* root) {
 CompiledScene SceneCompiler::compile(SoNode* root, const std::unordered_map<const SoNode*, int>& lineOf,
                                      const std::string& file) {
   ids_.begin();
-  SceneCollector collected([this](const SoPath& path) { return ids_.idOf(path); }, meshes_, progress_);
+  SceneCollector collected(ids_, meshes_, progress_);
   collected.collect(root);
 
   CompiledScene compiled;
@@ -27,8 +28,12 @@ CompiledScene SceneCompiler::compile(SoNode* root, const std::unordered_map<cons
   ++version_;
   if (!hasErrors(compiled.diagnostics)) {
     collected.scene.version = version_;
-    computeBounds(collected.scene);
-    compiled.scene = std::make_shared<const HapticScene>(std::move(collected.scene));
+    if (before_) {
+      computeBounds(collected.scene, *before_);
+    } else {
+      computeBounds(collected.scene);
+    }
+    compiled.scene = before_ = std::make_shared<const HapticScene>(std::move(collected.scene));
     compiled.origins = std::move(collected.origins);
   }
   return compiled;

@@ -7,9 +7,9 @@
 #include "haptics/HapticScene.h"
 #include "scenegraph/Diagnostic.h"
 #include "scenegraph/SceneFile.h"
-#include "scenegraph/compiling/MeshCache.h"
 #include "scenegraph/compiling/PathIds.h"
 #include "scenegraph/compiling/ShapeOrigin.h"
+#include "scenegraph/compiling/meshes/MeshCache.h"
 
 namespace haptiv {
 
@@ -45,6 +45,7 @@ class SceneCompiler {
   PathIds ids_;
   MeshCache meshes_;
   CompileProgress progress_;
+  std::shared_ptr<const HapticScene> before_;  ///< the newest that was valid
   std::uint32_t version_ = 0;
 };
 

@@ -17,7 +17,6 @@ void benchTick(BenchRun& run);
 void benchIk(BenchRun& run);
 /// Ticks into a session log on the disk that holds temporary files.
 void benchLog(BenchRun& run);
-
 /// Which walls the simulated arm can show without shaking, by stiffness and damping.
 void benchWall(BenchRun& run);
 
@@ -28,10 +27,8 @@ struct Bench {
 
 /// All there are, in the order in which they run.
 inline constexpr Bench kBenches[] = {
-    {"tick", benchTick}, {"collision", benchCollision}, {"ik", benchIk}, {"compile", benchCompile},
-    {"log", benchLog},   {"wall", benchWall},
-    {"tick", benchTick},       {"collision", benchCollision}, {"ik", benchIk},
-    {"compile", benchCompile}, {"edits", benchEdits},         {"log", benchLog},
+    {"tick", benchTick},   {"collision", benchCollision}, {"ik", benchIk},     {"compile", benchCompile},
+    {"edits", benchEdits}, {"log", benchLog},             {"wall", benchWall},
 };
 
 }  // namespace haptiv

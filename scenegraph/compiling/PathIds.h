@@ -1,12 +1,12 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
 
 #include "haptics/HapticScene.h"
+#include "scenegraph/compiling/FlatMap.h"
 
 class SoNode;
 class SoPath;
@@ -16,24 +16,22 @@ namespace haptiv {
 /// Gives every shape of a scene graph the id that it had in the compilation before, by the nodes on the way to it.
 /// Thread: GUI.
 ///
-/// A node at its place below others is a place; places form a tree of all paths met so far. One look-up a node in a
-/// flat hash table: scenes hold a hundred thousand shapes, and an edit compiles them all.
+/// The way is known by a number of 64 bits that is made of its nodes. Should two ways ever have the same, they are
+/// taken for one that is met twice: the ids still differ.
 class PathIds {
  public:
-  PathIds();
-
   /// A compilation begins.
   void begin() { ++round_; }
-  /// The id of the shape at the end of a path. A group may hold one node twice, and an array visits it often: each
-  /// time that a compilation meets a path, the shape is another one.
-  ShapeId idOf(const SoPath& path);
+  /// The id of a shape. A group may hold one node twice, and an array visits it often: each time that a compilation
+  /// meets a path, the shape is another one.
+  /// @param path   to the shape, or to the group that holds it ...
+  /// @param below  ... and then the shape itself; else null
+  ShapeId idOf(const SoPath& path, const SoNode* below = nullptr);
 
  private:
-  using Place = std::uint32_t;  ///< 0: the place above the root
   struct Step {
-    const SoNode* node = nullptr;  ///< null: nothing stands here
-    Place above = 0;
-    Place place = 0;
+    const SoNode* node = nullptr;
+    std::uint64_t way = 0;  ///< from the root to this node
   };
   struct Shape {
     std::uint32_t round = 0;  ///< the compilation that met it last ...
@@ -41,17 +39,13 @@ class PathIds {
     ShapeId first = 0;        ///< its id when it is met first; 0: none yet
   };
 
-  Place placeOf(const SoPath& path);
-  Step& slot(const SoNode* node, Place above);
-  Place placeBelow(const SoNode* node, Place above);
-  void grow();
+  std::uint64_t wayOf(const SoPath& path);
 
-  std::vector<Step> table_;  ///< open addressing; a power of two
   std::uint32_t round_ = 0;
   ShapeId ids_ = 0;
-  std::vector<Shape> shapes_;                                   ///< of each place
-  std::map<std::pair<Place, std::uint32_t>, ShapeId> repeats_;  ///< ids of places met again, and how often before
-  std::vector<Step> last_;                                      ///< the path asked for last: the next one starts alike
+  FlatMap<Shape> shapes_;                                               ///< by their ways
+  std::map<std::pair<std::uint64_t, std::uint32_t>, ShapeId> repeats_;  ///< of ways met again, and how often before
+  std::vector<Step> last_;  ///< the path asked for last: the next starts alike
 };
 
 }  // namespace haptiv

@@ -69,12 +69,17 @@ void check(PropertyChecker& checker, const SoHapticDevice& device) {
 
 std::vector<FieldFault> checkFields(const SoNode* node) {
   PropertyChecker checker;
-  if (const auto* surface = dynamic_cast<const SoHapticSurface*>(node)) check(checker, *surface);
-  if (const auto* spring = dynamic_cast<const SoHapticSpringZone*>(node)) check(checker, *spring);
-  if (const auto* tool = dynamic_cast<const SoHapticTool*>(node)) check(checker, *tool);
-  if (const auto* device = dynamic_cast<const SoHapticDevice*>(node)) check(checker, *device);
-  if (const auto* zone = dynamic_cast<const SoHapticViscousZone*>(node)) {
-    checker.notNegative("damping", zone->damping.getValue(), " N s/m");
+  const SoType type = node->getTypeId();
+  if (type == SoHapticSurface::getClassTypeId()) {
+    check(checker, *static_cast<const SoHapticSurface*>(node));
+  } else if (type.isDerivedFrom(SoHapticSpringZone::getClassTypeId())) {
+    check(checker, *static_cast<const SoHapticSpringZone*>(node));
+  } else if (type == SoHapticTool::getClassTypeId()) {
+    check(checker, *static_cast<const SoHapticTool*>(node));
+  } else if (type == SoHapticDevice::getClassTypeId()) {
+    check(checker, *static_cast<const SoHapticDevice*>(node));
+  } else if (type == SoHapticViscousZone::getClassTypeId()) {
+    checker.notNegative("damping", static_cast<const SoHapticViscousZone*>(node)->damping.getValue(), " N s/m");
   }
   return checker.faults;
 }

@@ -8,6 +8,7 @@
 #include <Inventor/misc/SoChildList.h>
 #include <Inventor/nodes/SoLOD.h>
 #include <Inventor/nodes/SoLevelOfDetail.h>
+#include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoShape.h>
 #include <Inventor/nodes/SoText3.h>
 #include <Inventor/nodes/SoVertexShape.h>
@@ -17,12 +18,9 @@
 #include "scenegraph/compiling/PropertyChecks.h"
 #include "scenegraph/compiling/ShapeConversion.h"
 #include "scenegraph/nodes/SoHapticDevice.h"
+#include "scenegraph/nodes/SoHapticProperty.h"
 #include "scenegraph/nodes/SoHapticPropertyElement.h"
-#include "scenegraph/nodes/SoHapticRubberBand.h"
-#include "scenegraph/nodes/SoHapticSpringZone.h"
-#include "scenegraph/nodes/SoHapticSurface.h"
 #include "scenegraph/nodes/SoHapticTool.h"
-#include "scenegraph/nodes/SoHapticViscousZone.h"
 
 namespace haptiv {
 namespace {
@@ -30,36 +28,29 @@ namespace {
 using Severity = Diagnostic::Severity;
 using Response = SoCallbackAction::Response;
 
-SurfaceProperties propertiesOf(const SoHapticSurface& node) {
-  return {node.stiffness.getValue(), node.damping.getValue(), node.hysteresis.getValue(),
-          node.staticFriction.getValue(), node.dynamicFriction.getValue()};
 }
 
 constexpr float kFinest = 1;  // complexity of what Coin cuts into triangles itself
+
+/// Of the shape that the action is at.
+FeltShape feltOf(ShapeId id, const SoNode* node, SoCallbackAction& action) {
+  return {id, node, *SoHapticPropertyElement::get(action.getState()), action.getModelMatrix()};
+}
 
 /// Whether its triangles are given by its coordinates, not by a fineness of Coin's choice.
 bool isMadeOfCorners(const SoNode* node) {
   return node->isOfType(SoVertexShape::getClassTypeId()) || node->isOfType(SoText3::getClassTypeId());
 }
 
-Shape shapeOf(std::shared_ptr<const TriangleMesh> mesh) {
-  Shape shape;
-  shape.kind = Shape::Kind::mesh;
-  shape.centre = (mesh->bounds.low + mesh->bounds.high) / 2;
-  shape.axes = Vector3((mesh->bounds.high - mesh->bounds.low) / 2).asDiagonal();
-  shape.mesh = std::move(mesh);
-  return shape;
-}
-
 }  // namespace
 
-SceneCollector::SceneCollector(std::function<ShapeId(const SoPath&)> idOf, MeshCache& meshes, Progress progress,
-                               std::size_t mostTriangles)
-    : idOf_(std::move(idOf)), meshes_(meshes), progress_(std::move(progress)), mostTriangles_(mostTriangles) {}
+SceneCollector::SceneCollector(PathIds& ids, MeshCache& meshes, Progress progress, std::size_t mostTriangles)
+    : ids_(ids), meshes_(meshes), progress_(std::move(progress)), mostTriangles_(mostTriangles) {}
 
 void SceneCollector::collect(SoNode* root) {
   SoCallbackAction action;
   action.addPreCallback(SoHapticProperty::getClassTypeId(), &onProperty, this);
+  action.addPreCallback(SoSeparator::getClassTypeId(), &onSeparator, this);
   action.addPreCallback(SoHapticTool::getClassTypeId(), &onTool, this);
   action.addPreCallback(SoHapticDevice::getClassTypeId(), &onDevice, this);
   action.addPreCallback(SoShape::getClassTypeId(), &onShape, this);
@@ -98,6 +89,21 @@ Response SceneCollector::onDevice(void* self, SoCallbackAction* action, const So
   collector.checkPlace(node, *action);
   collector.takeDevice(*static_cast<const SoHapticDevice*>(node));
   return SoCallbackAction::CONTINUE;
+}
+
+// Most of a large scene is read without Coin.
+Response SceneCollector::onSeparator(void* self, SoCallbackAction* action, const SoNode* node) {
+  auto& collector = *static_cast<SceneCollector*>(self);
+  const SoHapticProperty* property = SoHapticPropertyElement::get(action->getState());
+  if (node->getTypeId() != SoSeparator::getClassTypeId() ||
+      !collector.plain_.read(*static_cast<const SoSeparator*>(node), action->getModelMatrix(), property))
+    return SoCallbackAction::CONTINUE;
+  for (const SoHapticProperty* own : collector.plain_.properties()) collector.check(own);
+  for (PlainSeparator::Felt& felt : collector.plain_.felt()) {
+    const ShapeId id = collector.ids_.idOf(*action->getCurPath(), felt.node);
+    collector.add({id, felt.node, *felt.property, felt.toW}, std::move(felt.shape));
+  }
+  return SoCallbackAction::PRUNE;
 }
 
 Response SceneCollector::onShape(void* self, SoCallbackAction* action, const SoNode* node) {
@@ -161,18 +167,18 @@ bool SceneCollector::takeShape(const SoNode* node, SoCallbackAction& action) {
     return false;
   }
   if (!converted.shape) return beginMesh(node, action);
-  add(idOf_(*action.getCurPath()), std::move(*converted.shape), node, action);
+  add(feltOf(ids_.idOf(*action.getCurPath()), node, action), std::move(*converted.shape));
   return false;
 }
 
 bool SceneCollector::beginMesh(const SoNode* node, SoCallbackAction& action) {
   const float complexityBefore = action.getComplexity();
   if (!isMadeOfCorners(node)) SoComplexityElement::set(action.getState(), kFinest);
-  const ShapeId id = idOf_(*action.getCurPath());
+  const ShapeId id = ids_.idOf(*action.getCurPath());
   MeshSource source = MeshSource::of(node, action);
   if (auto known = meshes_.find(id, source)) {
     triangles_ += known->triangles.size();
-    add(id, shapeOf(std::move(known)), node, action);
+    add(feltOf(id, node, action), shapeOf(std::move(known)));
     SoComplexityElement::set(action.getState(), complexityBefore);
     return false;
   }
@@ -204,32 +210,13 @@ void SceneCollector::endMesh(const SoNode* node, SoCallbackAction& action) {
     return;
   }
   meshes_.keep(ended.id, std::move(ended.source), mesh);
-  add(ended.id, shapeOf(std::move(mesh)), node, action);
+  add(feltOf(ended.id, node, action), shapeOf(std::move(mesh)));
 }
 
-void SceneCollector::add(ShapeId id, Shape shape, const SoNode* node, SoCallbackAction& action) {
-  const SoHapticProperty* property = SoHapticPropertyElement::get(action.getState());
+void SceneCollector::add(const FeltShape& felt, Shape shape) {
   constexpr std::size_t kOften = 1 << 12;
   if ((scene.walls.size() + scene.zones.size() + 1) % kOften == 0) tellProgress();
-  if (const auto* surface = dynamic_cast<const SoHapticSurface*>(property)) {
-    scene.walls.push_back({id, std::move(shape), propertiesOf(*surface)});
-    origins.walls.push_back({node, property});
-    return;
-  }
-  Zone zone;
-  zone.id = id;
-  zone.shape = std::move(shape);
-  if (const auto* viscous = dynamic_cast<const SoHapticViscousZone*>(property)) {
-    zone.kind = Zone::Kind::viscous;
-    zone.damping = viscous->damping.getValue();
-  } else if (const auto* spring = dynamic_cast<const SoHapticSpringZone*>(property)) {
-    zone.kind = spring->isOfType(SoHapticRubberBand::getClassTypeId()) ? Zone::Kind::rubberBand : Zone::Kind::spring;
-    zone.stiffness = spring->stiffness.getValue();
-    zone.restLength = spring->restLength.getValue();
-    zone.anchor = transformPoint(action.getModelMatrix(), toEigen(spring->anchor.getValue()));
-  }
-  scene.zones.push_back(std::move(zone));
-  origins.zones.push_back({node, property});
+  addFelt(felt, std::move(shape), scene, origins);
 }
 
 void SceneCollector::tellProgress() const {
@@ -237,7 +224,9 @@ void SceneCollector::tellProgress() const {
 }
 
 void SceneCollector::check(const SoNode* node) {
-  if (!checked_.insert(node).second) return;
+  bool& isChecked = checked_[reinterpret_cast<std::uintptr_t>(node)];
+  if (isChecked) return;
+  isChecked = true;
   if (node->isOfType(SoHapticProperty::getClassTypeId())) origins.properties.push_back(node);
   for (const FieldFault& fault : checkFields(node)) say(fault.severity, node, fault.message);
 }

@@ -6,14 +6,17 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <unordered_set>
 #include <vector>
 
 #include "haptics/HapticScene.h"
 #include "scenegraph/Diagnostic.h"
-#include "scenegraph/compiling/MeshCache.h"
+#include "scenegraph/compiling/FeltShape.h"
+#include "scenegraph/compiling/FlatMap.h"
+#include "scenegraph/compiling/PathIds.h"
+#include "scenegraph/compiling/PlainSeparator.h"
 #include "scenegraph/compiling/ShapeOrigin.h"
-#include "scenegraph/compiling/TriangleSoup.h"
+#include "scenegraph/compiling/meshes/MeshCache.h"
+#include "scenegraph/compiling/meshes/TriangleSoup.h"
 
 namespace haptiv {
 
@@ -29,10 +32,9 @@ class SceneCollector {
 
   static constexpr std::size_t kMaxTriangles = 4'000'000;  ///< felt ones: some hundred bytes each with their index
 
-  /// @param idOf    gives each felt shape its id, from the nodes on the way to it
+  /// @param ids     gives each felt shape its id, from the nodes on the way to it
   /// @param meshes  of the compilation before; those of this one afterwards
-  SceneCollector(std::function<ShapeId(const SoPath&)> idOf, MeshCache& meshes, Progress progress = {},
-                 std::size_t mostTriangles = kMaxTriangles);
+  SceneCollector(PathIds& ids, MeshCache& meshes, Progress progress = {}, std::size_t mostTriangles = kMaxTriangles);
 
   void collect(SoNode* root);
 
@@ -44,6 +46,7 @@ class SceneCollector {
   static SoCallbackAction::Response onProperty(void* self, SoCallbackAction* action, const SoNode* node);
   static SoCallbackAction::Response onTool(void* self, SoCallbackAction* action, const SoNode* node);
   static SoCallbackAction::Response onDevice(void* self, SoCallbackAction* action, const SoNode* node);
+  static SoCallbackAction::Response onSeparator(void* self, SoCallbackAction* action, const SoNode* node);
   static SoCallbackAction::Response onShape(void* self, SoCallbackAction* action, const SoNode* node);
   static void onTriangle(void* self, SoCallbackAction* action, const SoPrimitiveVertex* a, const SoPrimitiveVertex* b,
                          const SoPrimitiveVertex* c);
@@ -57,7 +60,7 @@ class SceneCollector {
   bool takeShape(const SoNode* node, SoCallbackAction& action);
   bool beginMesh(const SoNode* node, SoCallbackAction& action);
   void endMesh(const SoNode* node, SoCallbackAction& action);
-  void add(ShapeId id, Shape shape, const SoNode* node, SoCallbackAction& action);
+  void add(const FeltShape& felt, Shape shape);
   void tellProgress() const;
   void check(const SoNode* node);
   void checkPlace(const SoNode* node, SoCallbackAction& action);
@@ -72,13 +75,14 @@ class SceneCollector {
     float complexityBefore = 0;
   };
 
-  std::function<ShapeId(const SoPath&)> idOf_;
+  PathIds& ids_;
   MeshCache& meshes_;
   Progress progress_;
   std::optional<OpenMesh> open_;
   std::size_t triangles_ = 0;
   std::size_t mostTriangles_;
-  std::unordered_set<const SoNode*> checked_;
+  PlainSeparator plain_;   // the one that is being read
+  FlatMap<bool> checked_;  // by the nodes' addresses
   std::set<std::pair<const SoNode*, std::string>> said_;
 };
 

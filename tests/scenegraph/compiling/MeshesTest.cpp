@@ -169,7 +169,8 @@ TEST(FeltByTriangles, SaysWhichShapeIsTooMuch) {
       read("HapticTool { } HapticSurface { } Array { numElements1 3 " + kFaces + "} DEF last Cube { depth 0 }");
   for (const std::size_t most : {5u, 6u, 100u}) {
     MeshCache meshes;
-    SceneCollector collector([](const SoPath&) { return ShapeId(1); }, meshes, {}, most);
+    PathIds ids;
+    SceneCollector collector(ids, meshes, {}, most);
     collector.collect(scene.root.get());
     EXPECT_EQ(hasErrors(collector.diagnostics), most < 100);
     if (most < 100) {

@@ -1,4 +1,4 @@
-#include "scenegraph/compiling/MeshCache.h"
+#include "scenegraph/compiling/meshes/MeshCache.h"
 
 #include <utility>
 

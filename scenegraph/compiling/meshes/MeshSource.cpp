@@ -1,4 +1,4 @@
-#include "scenegraph/compiling/MeshSource.h"
+#include "scenegraph/compiling/meshes/MeshSource.h"
 
 #include <Inventor/VRMLnodes/SoVRMLGeometry.h>
 #include <Inventor/actions/SoCallbackAction.h>

@@ -1,4 +1,4 @@
-#include "scenegraph/compiling/TriangleSoup.h"
+#include "scenegraph/compiling/meshes/TriangleSoup.h"
 
 #include <algorithm>
 #include <utility>

@@ -4,7 +4,7 @@
 #include <unordered_map>
 
 #include "haptics/HapticScene.h"
-#include "scenegraph/compiling/MeshSource.h"
+#include "scenegraph/compiling/meshes/MeshSource.h"
 
 namespace haptiv {
 
