@@ -58,8 +58,17 @@ double letterCost(const SoMFString& strings) {
   return 64 * letters;
 }
 
+double timesTraversed(const SoNode* node) {
+  if (const auto* array = dynamic_cast<const SoArray*>(node)) {
+    const auto times = [](const SoSFShort& n) { return std::max(1.0, static_cast<double>(n.getValue())); };
+    return times(array->numElements1) * times(array->numElements2) * times(array->numElements3);
+  }
+  if (const auto* copies = dynamic_cast<const SoMultipleCopy*>(node)) return std::max(1, copies->matrix.getNum());
+  return 1;
+}
+
 double ownCost(const SoNode* node) {
-  double cost = kNodeCost;
+  double cost = kNodeCost * timesTraversed(node);  // an array is gone through even where there is nothing in it
   SoFieldList fields;
   const int count = node->getFields(fields);
   for (int i = 0; i < count; ++i) {
@@ -69,15 +78,6 @@ double ownCost(const SoNode* node) {
   if (const auto* extrusion = dynamic_cast<const SoVRMLExtrusion*>(node))
     cost += kQuadCost * static_cast<double>(extrusion->crossSection.getNum()) * extrusion->spine.getNum();
   return cost;
-}
-
-double timesTraversed(const SoNode* node) {
-  if (const auto* array = dynamic_cast<const SoArray*>(node)) {
-    const auto times = [](const SoSFShort& n) { return std::max(1.0, static_cast<double>(n.getValue())); };
-    return times(array->numElements1) * times(array->numElements2) * times(array->numElements3);
-  }
-  if (const auto* copies = dynamic_cast<const SoMultipleCopy*>(node)) return std::max(1, copies->matrix.getNum());
-  return 1;
 }
 
 /// What visiting a node, and all below it, comes to.

@@ -6,6 +6,7 @@
 #include <Inventor/VRMLnodes/SoVRMLIndexedLine.h>
 #include <Inventor/VRMLnodes/SoVRMLIndexedShape.h>
 #include <Inventor/VRMLnodes/SoVRMLNormal.h>
+#include <Inventor/VRMLnodes/SoVRMLScript.h>
 #include <Inventor/VRMLnodes/SoVRMLTextureCoordinate.h>
 #include <Inventor/nodes/SoIndexedLineSet.h>
 #include <Inventor/nodes/SoIndexedShape.h>
@@ -18,6 +19,9 @@
 #include <Inventor/nodes/SoVertexShape.h>
 
 #include <set>
+#include <tuple>
+#include <unordered_set>
+#include <utility>
 
 #include "scenegraph/Keyword.h"
 #include "scenegraph/reading/graph/AttributesInForce.h"
@@ -56,6 +60,24 @@ class IndexChecker {
 
   void visit(const SoNode* node, AttributesInForce& state) {
     state.update(node);
+    isSound_ = true;
+    if (checkIfShape(node, state)) {
+      if (isSound_) sound_.insert(node);
+    } else if (!node->isOfType(SoVRMLScript::getClassTypeId())) {  // its fields only refer to nodes: to itself, perhaps
+      visitChildren(node, state);
+    }
+  }
+
+  /// Many files keep shapes behind a Switch that shows none, and use them elsewhere, after the coordinates: what is
+  /// right there may be wrong here.
+  void judgeHidden() {
+    for (Diagnostic& fault : hidden_) {
+      if (!sound_.contains(fault.source)) faults.push_back(std::move(fault));
+    }
+  }
+
+ private:
+  bool checkIfShape(const SoNode* node, const AttributesInForce& state) {
     if (const auto* shape = dynamic_cast<const SoVertexShape*>(node)) {
       checkShape(*shape, state);
     } else if (const auto* vrml = dynamic_cast<const SoVRMLIndexedShape*>(node)) {
@@ -65,11 +87,11 @@ class IndexChecker {
     } else if (const auto* grid = dynamic_cast<const SoVRMLElevationGrid*>(node)) {
       checkShape(*grid);
     } else {
-      visitChildren(node, state);
+      return false;
     }
+    return true;
   }
 
- private:
   void visitChildren(const SoNode* node, AttributesInForce& state) {
     const AttributesInForce before = state;
     const auto children = writtenChildren(node);
@@ -77,9 +99,13 @@ class IndexChecker {
     const bool isLevels = dynamic_cast<const SoLOD*>(node) || dynamic_cast<const SoLevelOfDetail*>(node);
     const int chosen = choice ? choice->whichChild.getValue() : 0;
     const bool all = !isLevels && (!choice || chosen == SO_SWITCH_ALL);
+    const bool canChange = !choice || choice->whichChild.isConnected();
     for (std::size_t i = 0; i < children.size(); ++i) {
       AttributesInForce aside = before;  // what is not chosen may be shown later, and changes nothing after it
-      visit(children[i], all || static_cast<int>(i) == chosen ? state : aside);
+      const bool isChosen = all || static_cast<int>(i) == chosen;
+      const bool wasHidden = std::exchange(isHidden_, isHidden_ || (!isChosen && !canChange));
+      visit(children[i], isChosen ? state : aside);
+      isHidden_ = wasHidden;
     }
     const bool leaks = node->isOfType(SoGroup::getClassTypeId()) && !node->isOfType(SoSeparator::getClassTypeId());
     if (!leaks) state = before;
@@ -140,6 +166,13 @@ class IndexChecker {
   void hold(const SoNode* node, const char* what, const ShapeReach& reach, const Attribute& attribute,
             const SoMFInt32* index) {
     if (attribute.count <= 0) return;
+    if (reach.lacksIndex(attribute.per, attribute.byIndex, index)) {
+      mending.add(*index, *reach.coordIndex, attribute.count);
+      return say(node,
+                 "its list of " + std::string(what) +
+                     "s has no index, which its binding asks for: that of its coordinates is taken",
+                 Diagnostic::Severity::warning);
+    }
     const std::int64_t needed = reach.of(attribute.per, attribute.byIndex, index);
     const std::string fault = reach.indexFault(attribute.per, attribute.byIndex, index);
     if (!fault.empty()) {
@@ -163,11 +196,17 @@ class IndexChecker {
   }
 
   void say(const SoNode* node, std::string message, Diagnostic::Severity severity = Diagnostic::Severity::error) {
-    if (!said_.emplace(node, severity).second) return;
-    faults.push_back({severity, {}, 0, describe(node), std::move(message), node});
+    const bool isError = severity == Diagnostic::Severity::error;
+    if (isError) isSound_ = false;
+    if (!said_.emplace(node, severity, isHidden_).second) return;
+    (isError && isHidden_ ? hidden_ : faults).push_back({severity, {}, 0, describe(node), std::move(message), node});
   }
 
-  std::set<std::pair<const SoNode*, Diagnostic::Severity>> said_;
+  bool isHidden_ = false;  ///< behind a Switch
+  bool isSound_ = true;    ///< the shape that is being checked, so far
+  Diagnostics hidden_;
+  std::unordered_set<const SoNode*> sound_;  ///< shapes that are right in one place at least
+  std::set<std::tuple<const SoNode*, Diagnostic::Severity, bool>> said_;
 };
 
 }  // namespace
@@ -176,6 +215,7 @@ Diagnostics shapeIndexFaults(SoNode* root) {
   IndexChecker checker;
   AttributesInForce state;
   checker.visit(root, state);
+  checker.judgeHidden();
   if (!hasErrors(checker.faults)) checker.mending.mend(root);
   return std::move(checker.faults);
 }

@@ -75,11 +75,14 @@ std::int64_t ShapeReach::of(Per per, bool byIndex, const SoMFInt32* index) const
   }
 }
 
+bool ShapeReach::lacksIndex(Per per, bool byIndex, const SoMFInt32* index) const {
+  const bool goesByPieces = (per == Per::face || per == Per::part) && !isLines;
+  return goesByPieces && byIndex && coordIndex && index && vertices > 0 && !hasValues(index);
+}
+
 std::string ShapeReach::indexFault(Per per, bool byIndex, const SoMFInt32* index) const {
-  if (per == Per::shape || !byIndex || !coordIndex || !index || vertices == 0) return {};
-  if (hasValues(index)) return listFault(per, *index);
-  return per == Per::vertex || isLines ? std::string()
-                                       : "has no index, which its binding asks for: add one, or bind otherwise";
+  if (per == Per::shape || !byIndex || !coordIndex || !index || vertices == 0 || !hasValues(index)) return {};
+  return listFault(per, *index);
 }
 
 // Coin goes through an index of vertices in step with coordIndex, and through one of faces or parts by itself.

@@ -26,6 +26,8 @@ struct ShapeReach {
   /// @param index  the attribute's own index field; null or without a value: it goes with the coordinates
   std::int64_t of(Per per, bool byIndex, const SoMFInt32* index) const;
 
+  /// Whether an attribute is to go by an index that is not there.
+  bool lacksIndex(Per per, bool byIndex, const SoMFInt32* index) const;
   /// Why an attribute's own indices do not fit the shape's coordIndex; empty where they do.
   std::string indexFault(Per per, bool byIndex, const SoMFInt32* index) const;
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <optional>
-#include <unordered_map>
 
 #include "scenegraph/reading/text/DeclaredFields.h"
 #include "scenegraph/reading/text/ImageSize.h"
+#include "scenegraph/reading/text/NodeNames.h"
 #include "scenegraph/reading/text/PlainNodes.h"
 #include "scenegraph/reading/text/Prototypes.h"
 #include "scenegraph/reading/text/SceneTokenizer.h"
@@ -60,7 +60,6 @@ class Scanner {
     std::size_t node = kNoNode;  ///< index into scan_.nodes
     bool isBody = false;         ///< of a prototype
   };
-  enum class Expect { nothing, defName, useName, route };
 
   void take(const SceneToken& token) {
     switch (token.kind) {
@@ -85,38 +84,23 @@ class Scanner {
 
   void takeWord(const SceneToken& token) {
     const std::string_view word = token.text;
-    if (expect_ == Expect::defName) {
-      defName_ = word;
-      expect_ = Expect::nothing;
-    } else if (expect_ == Expect::useName) {
-      checkUse(token);
-      expect_ = Expect::nothing;
-    } else if (expect_ == Expect::route) {
-      if (--routeWords_ == 0) expect_ = Expect::nothing;
-    } else if (prototypes_.takesWord(word)) {
+    if (!names_.expectsWord() && prototypes_.takesWord(word)) {
       scan_.isPlain = false;
       word_.reset();
+    } else if (names_.takes(word)) {
+      if (names_.used()) checkUse(token, *names_.used());
+      if (word == "ROUTE") scan_.isPlain = false;
     } else {
       takePlainWord(token);
     }
   }
 
   void takePlainWord(const SceneToken& token) {
-    const std::string_view word = token.text;
-    if (word == "DEF") {
-      expect_ = Expect::defName;
-    } else if (word == "USE") {
-      expect_ = Expect::useName;
-    } else if (word == "ROUTE") {
-      expect_ = Expect::route;  // ROUTE from TO to
-      routeWords_ = 3;
-    } else {
-      takeValue(token);
-      word_ = token;
-      if (image_.isTooLarge(word))
-        fail(token.line, keyword(), "the image is said to be larger than the whole file: correct its size");
-    }
-    if (word == "ROUTE" || word.find('=') != std::string_view::npos) scan_.isPlain = false;
+    takeValue(token);
+    word_ = token;
+    if (image_.isTooLarge(token.text))
+      fail(token.line, keyword(), "the image is said to be larger than the whole file: correct its size");
+    if (token.text.find('=') != std::string_view::npos) scan_.isPlain = false;
   }
 
   /// A string, or a word that may be an unquoted one.
@@ -143,11 +127,9 @@ class Scanner {
   }
 
   std::size_t addNode(const SceneToken& keyword) {
-    scan_.nodes.push_back({std::string(keyword.text), defName_, keyword.line});
-    const std::size_t index = scan_.nodes.size() - 1;
-    if (!defName_.empty()) defined_[defName_] = index;
-    defName_.clear();
-    if (!isPlainNode(keyword.text)) scan_.isPlain = false;
+    const std::size_t index = scan_.nodes.size();
+    scan_.nodes.push_back({std::string(keyword.text), names_.begin(index), keyword.line});
+    if (!isPlainNode(keyword.text) || names_.areVeryMany()) scan_.isPlain = false;
     const std::string fault = prototypes_.add(keyword.text);
     if (!fault.empty()) fail(keyword.line, std::string(keyword.text), fault);
     return index;
@@ -173,10 +155,8 @@ class Scanner {
     if (!fault.empty()) fail(line, keyword(), fault);
   }
 
-  void checkUse(const SceneToken& token) {
-    const auto found = defined_.find(std::string(token.text));
-    if (found == defined_.end()) return;  // Coin says so
-    const auto isIt = [&](const Level& level) { return level.node == found->second; };
+  void checkUse(const SceneToken& token, std::size_t node) {
+    const auto isIt = [&](const Level& level) { return level.node == node; };
     if (!keyword().ends_with("Script") && std::ranges::any_of(levels_, isIt)) {  // a Script only refers to it
       fail(token.line, std::string(token.text), "stands inside itself (USE within its own DEF): remove this USE");
     }
@@ -184,7 +164,7 @@ class Scanner {
 
   /// Between nodes, Coin takes whatever cannot begin one for the end.
   bool endsScene(const SceneToken& token) const {
-    if (expect_ != Expect::nothing || prototypes_.isOpen()) return false;
+    if (names_.expectsWord() || prototypes_.isOpen()) return false;
     if (word_) return token.kind != Kind::open;
     return token.kind != Kind::word || !SbName::isIdentStartChar(token.text.front());
   }
@@ -227,11 +207,8 @@ class Scanner {
   const bool vrml2_;
   SceneScan scan_;
   std::vector<Level> levels_;
-  std::unordered_map<std::string, std::size_t> defined_;  ///< DEF name to the last node of it
-  std::optional<SceneToken> word_;                        ///< the word just before, which may turn out to be a keyword
-  std::string defName_;
-  Expect expect_ = Expect::nothing;
-  int routeWords_ = 0;
+  std::optional<SceneToken> word_;  ///< the word just before, which may turn out to be a keyword
+  NodeNames names_;
   bool declaring_ = false;  ///< in `fields [ ... ]`
   std::vector<std::string> declared_;
   ImageSize image_;
