@@ -102,7 +102,7 @@ void benchEdits(BenchRun& run) {
   MissedTicks watch(session);
   CallTimes times(kEdits);
   double editedTicks = 0, editedMissed = 0, idleTicks = 0, idleMissed = 0;
-  std::optional<MemoryPeak> memory;
+  std::vector<std::optional<double>> held;  // after each pause
   for (int round = 0; round < kRounds; ++round) {
     const Clock::time_point begin = Clock::now();
     for (int i = 0; i < kEdits; ++i) {
@@ -113,9 +113,8 @@ void benchEdits(BenchRun& run) {
     watch.look(editedTicks, editedMissed);
     std::this_thread::sleep_for(Clock::now() - begin);
     watch.look(idleTicks, idleMissed);
-    if (round == 0) memory.emplace();
+    held.push_back(memoryHeld());
   }
-  const std::optional<double> grown = memory->grownBy();
   const std::string trouble = session.logTrouble();
   session.stop();
   if (!trouble.empty()) throw std::runtime_error("the log of the bench's session failed: " + trouble);
@@ -124,7 +123,7 @@ void benchEdits(BenchRun& run) {
                   {"missed_ticks", editedMissed},
                   {"ticks_without_edits", idleTicks},
                   {"missed_ticks_without_edits", idleMissed}};
-  if (grown) result.notes.emplace_back("extra_memory_MiB", *grown);
+  if (held.front() && held.back()) result.notes.emplace_back("memory_growth_MiB", *held.back() - *held.front());
   run.add(result);
 }
 

@@ -21,6 +21,11 @@ std::optional<double> statusOf(const std::string& key) {
 
 }  // namespace
 
+std::optional<double> memoryHeld() {
+  malloc_trim(0);
+  return statusOf("VmRSS:");
+}
+
 MemoryPeak::MemoryPeak() {
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << "5";  // the peak begins anew

@@ -16,4 +16,8 @@ class MemoryPeak {
   std::optional<double> before_;
 };
 
+/// What this process holds now; what has been freed is given back to the system first. [MiB]; nothing where the system
+/// does not tell.
+std::optional<double> memoryHeld();
+
 }  // namespace haptiv
