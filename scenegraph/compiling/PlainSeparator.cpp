@@ -26,46 +26,46 @@
 namespace haptiv {
 namespace {
 
-enum class Kind : unsigned char { other, look, property, shape, translation, rotation, scale, transform };
+enum class PlainKind : unsigned char { other, look, property, shape, translation, rotation, scale, transform };
 
 /// By the numbers that Coin gives its types.
-std::vector<Kind> allKinds() {
-  std::vector<Kind> kinds(static_cast<std::size_t>(SoType::getNumTypes()), Kind::other);
-  const auto say = [&](Kind kind, std::initializer_list<SoType> types) {
+std::vector<PlainKind> allPlainKinds() {
+  std::vector<PlainKind> kinds(static_cast<std::size_t>(SoType::getNumTypes()), PlainKind::other);
+  const auto say = [&](PlainKind kind, std::initializer_list<SoType> types) {
     for (const SoType type : types) kinds[static_cast<std::size_t>(type.getKey())] = kind;
   };
-  say(Kind::look, {SoMaterial::getClassTypeId(), SoBaseColor::getClassTypeId(), SoLabel::getClassTypeId(),
-                   SoInfo::getClassTypeId()});
-  say(Kind::property,
+  say(PlainKind::look, {SoMaterial::getClassTypeId(), SoBaseColor::getClassTypeId(), SoLabel::getClassTypeId(),
+                        SoInfo::getClassTypeId()});
+  say(PlainKind::property,
       {SoHapticSurface::getClassTypeId(), SoHapticViscousZone::getClassTypeId(), SoHapticSpringZone::getClassTypeId(),
        SoHapticRubberBand::getClassTypeId(), SoHapticNone::getClassTypeId()});
-  say(Kind::shape,
+  say(PlainKind::shape,
       {SoCube::getClassTypeId(), SoSphere::getClassTypeId(), SoCylinder::getClassTypeId(), SoCone::getClassTypeId()});
-  say(Kind::translation, {SoTranslation::getClassTypeId()});
-  say(Kind::rotation, {SoRotation::getClassTypeId()});
-  say(Kind::scale, {SoScale::getClassTypeId()});
-  say(Kind::transform, {SoTransform::getClassTypeId()});
+  say(PlainKind::translation, {SoTranslation::getClassTypeId()});
+  say(PlainKind::rotation, {SoRotation::getClassTypeId()});
+  say(PlainKind::scale, {SoScale::getClassTypeId()});
+  say(PlainKind::transform, {SoTransform::getClassTypeId()});
   return kinds;
 }
 
-Kind kindOf(const SoNode* node) {
-  static const std::vector<Kind> kinds = allKinds();
+PlainKind plainKindOf(const SoNode* node) {
+  static const std::vector<PlainKind> kinds = allPlainKinds();
   const auto key = static_cast<std::size_t>(node->getTypeId().getKey());
-  return key < kinds.size() ? kinds[key] : Kind::other;
+  return key < kinds.size() ? kinds[key] : PlainKind::other;
 }
 
 /// Multiplies as Coin does. False: a field is set to be ignored, which is left to Coin.
-bool place(const SoNode* node, Kind kind, SbMatrix& toW) {
+bool placeBy(const SoNode* node, PlainKind kind, SbMatrix& toW) {
   SbMatrix own;
-  if (kind == Kind::translation) {
+  if (kind == PlainKind::translation) {
     const auto& translation = static_cast<const SoTranslation*>(node)->translation;
     if (translation.isIgnored()) return false;
     own.setTranslate(translation.getValue());
-  } else if (kind == Kind::rotation) {
+  } else if (kind == PlainKind::rotation) {
     const auto& rotation = static_cast<const SoRotation*>(node)->rotation;
     if (rotation.isIgnored()) return false;
     own.setRotate(rotation.getValue());
-  } else if (kind == Kind::scale) {
+  } else if (kind == PlainKind::scale) {
     const auto& factor = static_cast<const SoScale*>(node)->scaleFactor;
     if (factor.isIgnored()) return false;
     own.setScale(factor.getValue());
@@ -89,14 +89,14 @@ bool PlainSeparator::read(const SoSeparator& separator, const SbMatrix& toW, con
   SbMatrix here = toW;
   for (int i = 0; i < separator.getNumChildren(); ++i) {
     const SoNode* node = separator.getChild(i);
-    const Kind kind = kindOf(node);
-    if (kind == Kind::other) return false;
-    if (kind == Kind::look) continue;
-    if (kind == Kind::property) {
+    const PlainKind kind = plainKindOf(node);
+    if (kind == PlainKind::other) return false;
+    if (kind == PlainKind::look) continue;
+    if (kind == PlainKind::property) {
       property = static_cast<const SoHapticProperty*>(node);
       properties_.push_back(property);
-    } else if (kind != Kind::shape) {
-      if (!place(node, kind, here)) return false;
+    } else if (kind != PlainKind::shape) {
+      if (!placeBy(node, kind, here)) return false;
     } else if (property && property->isFelt()) {
       ConvertedShape converted = convertShape(node, here);
       if (!converted.shape) return false;
