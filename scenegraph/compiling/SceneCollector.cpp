@@ -28,8 +28,6 @@ namespace {
 using Severity = Diagnostic::Severity;
 using Response = SoCallbackAction::Response;
 
-}
-
 constexpr float kFinest = 1;  // complexity of what Coin cuts into triangles itself
 
 /// Of the shape that the action is at.
