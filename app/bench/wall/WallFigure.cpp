@@ -22,7 +22,9 @@ FigureAxis decades(const std::string& label, const std::pair<double, double>& ra
   for (double power = std::ceil(range.first); power <= range.second; ++power) {
     std::string number = "1";
     number.append(static_cast<std::size_t>(std::max(0.0, power)), '0');
-    if (number.size() > 4) number.insert(number.size() - 3, " ");
+    if (number.size() > 4) {
+      for (std::size_t left = number.size(); left > 3; left -= 3) number.insert(left - 3, " ");
+    }
     axis.ticks.emplace_back(power, number);
   }
   return axis;
