@@ -1,11 +1,14 @@
 #include "app/timing/TimingPanel.h"
 
+#include <QHBoxLayout>
 #include <QVBoxLayout>
 
 namespace haptiv {
 namespace {
 
-constexpr int kPause = 250;  // [ms]
+constexpr int kPause = 250;                              // [ms]
+constexpr int kRates[] = {500, 1000, 2000, 4000, 8000};  // [Hz]
+constexpr int kUsualRate = 1000;
 
 /// A swatch of the outline's colour, and the figures.
 QString figures(const QString& name, const QColor& colour, const TimeDistribution& times) {
@@ -21,6 +24,7 @@ QString figures(const QString& name, const QColor& colour, const TimeDistributio
 TimingPanel::TimingPanel(QWidget* parent)
     : QWidget(parent),
       chart_(new TimingChart(this)),
+      rate_(new QComboBox(this)),
       wakeUps_(new QLabel(this)),
       ticks_(new QLabel(this)),
       share_(new QLabel(this)) {
@@ -28,7 +32,17 @@ TimingPanel::TimingPanel(QWidget* parent)
   wakeUps_->setObjectName("timingWakeUps");
   ticks_->setObjectName("timingTicks");
   share_->setObjectName("timingShare");
+  rate_->setObjectName("sessionRate");
+  for (const int rate : kRates) rate_->addItem(QString::number(rate), rate);
+  rate_->setCurrentText(QString::number(kUsualRate));
+  connect(rate_, QOverload<int>::of(&QComboBox::activated), this,
+          [this](int row) { emit rateChosen(rate_->itemData(row).toDouble()); });
+  auto* choice = new QHBoxLayout;
+  choice->addWidget(new QLabel(tr("Ticks per second"), this));
+  choice->addWidget(rate_);
+  choice->addStretch();
   auto* column = new QVBoxLayout(this);
+  column->addLayout(choice);
   column->addWidget(chart_, 1);
   for (QLabel* label : {wakeUps_, ticks_, share_}) {
     label->setWordWrap(true);
@@ -44,6 +58,7 @@ bool TimingPanel::isDue() const {
 
 void TimingPanel::show(const SessionTiming& timing, std::uint64_t missedTicks, double rate) {
   shown_.start();
+  rate_->setEnabled(false);
   chart_->show(timing.wakeUps, timing.ticks, 1e9 / rate);
   wakeUps_->setText(figures(tr("Wakes late by"), TimingChart::wakeUpColour(), timing.wakeUps));
   ticks_->setText(figures(tr("A tick takes"), TimingChart::tickColour(), timing.ticks));
@@ -55,6 +70,7 @@ void TimingPanel::show(const SessionTiming& timing, std::uint64_t missedTicks, d
 
 void TimingPanel::clear() {
   shown_.invalidate();
+  rate_->setEnabled(true);
   chart_->show({}, {}, 0);
   wakeUps_->setText(tr("No session runs: here stands how punctual its servo is."));
   ticks_->clear();

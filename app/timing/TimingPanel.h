@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QComboBox>
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QWidget>
@@ -9,7 +10,8 @@
 
 namespace haptiv {
 
-/// How punctual the servo of the running session is, live: the chart, and its figures in words. Thread: GUI.
+/// How punctual the servo of the running session is, live: the chart, its figures in words, and the choice of the rate.
+/// Thread: GUI.
 class TimingPanel : public QWidget {
   Q_OBJECT
 
@@ -23,8 +25,13 @@ class TimingPanel : public QWidget {
   /// No session runs.
   void clear();
 
+ signals:
+  /// For the next session [Hz]; while one runs there is nothing to choose.
+  void rateChosen(double rate);
+
  private:
   TimingChart* chart_;
+  QComboBox* rate_;
   QLabel* wakeUps_;
   QLabel* ticks_;
   QLabel* share_;

@@ -74,6 +74,7 @@ void MainWindow::connectParts() {
   connect(p.operatorKeys, &OperatorKeys::pressed, p.session, &SessionControl::press);
   connect(p.emergencyStop, &QAction::triggered, p.operatorKeys, &OperatorKeys::stopAtOnce);
   connect(p.reset, &QAction::triggered, p.operatorKeys, &OperatorKeys::reset);
+  connect(p.timing, &TimingPanel::rateChosen, p.session, &SessionControl::setRate);
 
   connect(p.control, &ControlMenu::chosen, p.session, &SessionControl::chooseControl);
   connect(p.session, &SessionControl::started, p.control, [this] { parts_->control->setEnabled(false); });

@@ -105,6 +105,9 @@ QString SessionControl::logPath() const {
 double SessionControl::rate() const {
   return parts_->rate;
 }
+void SessionControl::setRate(double rate) {
+  if (!isRunning()) parts_->rate = rate;
+}
 const Scheduling& SessionControl::scheduling() const {
   return parts_->scheduling;
 }

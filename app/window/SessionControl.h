@@ -23,6 +23,8 @@ class SessionControl : public QObject {
   QString logPath() const;
   /// Ticks per second of the running session [Hz].
   double rate() const;
+  /// Of the next session [Hz].
+  void setRate(double rate);
   /// How the servo thread of the running session is scheduled.
   const Scheduling& scheduling() const;
   /// Of the running session; of none, nothing was measured.

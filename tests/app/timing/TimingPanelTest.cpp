@@ -47,6 +47,20 @@ TEST(TimingChart, ASingleLateTickIsSeen) {
   EXPECT_GT(coloured, 0);
 }
 
+TEST(TimingPanel, OffersTheRateWhereNoSessionRuns) {
+  TimingPanel panel;
+  double chosen = 0;
+  QObject::connect(&panel, &TimingPanel::rateChosen, [&](double rate) { chosen = rate; });
+  auto* rates = panel.findChild<QComboBox*>("sessionRate");
+  EXPECT_EQ(rates->currentText(), "1000");
+  emit rates->activated(rates->findText("8000"));
+  EXPECT_EQ(chosen, 8000);
+  panel.show({}, 0, 1000);
+  EXPECT_FALSE(rates->isEnabled());
+  panel.clear();
+  EXPECT_TRUE(rates->isEnabled());
+}
+
 TEST(TimingPanel, SaysInWordsWhatTheServoDoes) {
   TimingPanel panel;
   SessionTiming timing;
