@@ -5,12 +5,15 @@ find_package(Boost 1.74 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(ZLIB REQUIRED)
 
-if(HAPTIV_SCENEGRAPH)
-  find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
-  find_package(Coin CONFIG REQUIRED)
+if(HAPTIV_SESSION)
   # A plain file name in a list of its own: HDF5's CMake package is not in Debian's libhdf5-dev.
   find_package(PkgConfig REQUIRED)
   pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial)
+endif()
+
+if(HAPTIV_SCENEGRAPH)
+  find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
+  find_package(Coin CONFIG REQUIRED)
 endif()
 
 if(HAPTIV_APPLICATION)

@@ -92,7 +92,7 @@ void HapticTick::run(const HapticScene& scene, const Measured& measured, TickSta
 }
 
 TickRecord HapticTick::operator()(const HapticScene& scene, const DeviceReading& reading, TickState& state,
-                                  std::uint32_t missedTicks) const noexcept {
+                                  std::uint32_t missedTicks) const noexcept HAPTIV_NONBLOCKING {
   const Measured measured = measure_(scene.device, reading, state.measuring);
   const std::uint32_t wrong = monitors_(reading, measured, drivenBy(scene, state), missedTicks, state.monitors);
   const bool ran = state.session.now == SessionState::running;

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "device/DeviceDescription.h"
+#include "device/Nonblocking.h"
 #include "haptics/HapticScene.h"
 #include "haptics/IfThenRenderer.h"
 #include "haptics/Measured.h"
@@ -46,7 +47,7 @@ class HapticTick {
   /// Realtime-safe: yes.  Thread: servo.  Errors: none; faults latch in the state and brake the arm.
   /// @param missedTicks  grid points that the servo has skipped so far; they may be a fault
   TickRecord operator()(const HapticScene& scene, const DeviceReading& reading, TickState& state,
-                        std::uint32_t missedTicks = 0) const noexcept;
+                        std::uint32_t missedTicks = 0) const noexcept HAPTIV_NONBLOCKING;
 
  private:
   /// The virtual mass at rest where the arm is; whatever is touched there is touched anew, and fades in.

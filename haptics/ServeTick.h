@@ -1,6 +1,7 @@
 #pragma once
 
 #include "device/HapticDevice.h"
+#include "device/Nonblocking.h"
 #include "haptics/HapticTick.h"
 
 namespace haptiv {
@@ -12,7 +13,7 @@ namespace haptiv {
 /// Realtime-safe: as the device and `newestScene` are.
 template <typename NewestScene>
 TickRecord serveTick(HapticDevice& device, const HapticTick& tick, NewestScene&& newestScene, TickState& state,
-                     std::uint32_t missedTicks = 0) noexcept {
+                     std::uint32_t missedTicks = 0) noexcept HAPTIV_NONBLOCKING {
   const DeviceReading reading = device.read();
   const TickRecord record = tick(newestScene(), reading, state, missedTicks);
   device.write(record.command);

@@ -9,7 +9,6 @@
 
 #include "haptics/ServeTick.h"
 #include "haptics/realtime/MonotonicClock.h"
-#include "haptics/realtime/TickGrid.h"
 
 namespace haptiv {
 namespace {
@@ -81,29 +80,34 @@ double ServoLoop::processorShare() const {
 void ServoLoop::run() noexcept {
   TickState state;
   std::uint32_t missed = 0;
-  const std::int64_t start = monotonicNow();
+  const std::int64_t spin = pace_.spinNs();
+  TickGrid grid(monotonicNow(), pace_.rate);
+  while (running_) {
+    sleepThenSpin(grid.deadline(), spin);
+    const std::int64_t done = serve(grid, missed, state);
+    missed += grid.advance(done);
+  }
+  lastShare_ = shareOf(CLOCK_THREAD_CPUTIME_ID, startedAt_);
+}
+
+std::int64_t ServoLoop::serve(const TickGrid& grid, std::uint32_t missed,
+                              TickState& state) noexcept HAPTIV_NONBLOCKING {
   const auto newestScene = [this]() noexcept -> const HapticScene& {
     seams_.scene.update();
     return *seams_.scene.read();
   };
-  const std::int64_t spin = pace_.spinNs();
-  TickGrid grid(start, pace_.rate);
-  while (running_) {
-    sleepThenSpin(grid.deadline(), spin);
-    const std::int64_t woke = monotonicNow();
-    TickRecord record = serveTick(device_, tick_, newestScene, state, missed);
-    record.tick = grid.index();
-    record.time = woke - start;
-    record.wakeLateness = shortDuration(woke - grid.deadline());
-    record.computeTime = shortDuration(monotonicNow() - woke);
-    seams_.log.push(record);
-    seams_.display.write(record);
-    seams_.wakeUps.add(woke - grid.deadline());
-    const std::int64_t done = monotonicNow();
-    seams_.ticks.add(done - woke);
-    missed += grid.advance(done);
-  }
-  lastShare_ = shareOf(CLOCK_THREAD_CPUTIME_ID, startedAt_);
+  const std::int64_t woke = monotonicNow();
+  TickRecord record = serveTick(device_, tick_, newestScene, state, missed);
+  record.tick = grid.index();
+  record.time = woke - grid.timeOf(0);
+  record.wakeLateness = shortDuration(woke - grid.deadline());
+  record.computeTime = shortDuration(monotonicNow() - woke);
+  seams_.log.push(record);
+  seams_.display.write(record);
+  seams_.wakeUps.add(woke - grid.deadline());
+  const std::int64_t done = monotonicNow();
+  seams_.ticks.add(done - woke);
+  return done;
 }
 
 }  // namespace haptiv

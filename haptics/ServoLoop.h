@@ -12,6 +12,7 @@
 #include "haptics/realtime/AwakeProcessor.h"
 #include "haptics/realtime/RealtimeThread.h"
 #include "haptics/realtime/RecordRing.h"
+#include "haptics/realtime/TickGrid.h"
 #include "haptics/realtime/TimeHistogram.h"
 
 namespace haptiv {
@@ -50,6 +51,8 @@ class ServoLoop {
 
  private:
   void run() noexcept;
+  /// All that happens between two sleeps. Returns when it was done [ns].
+  std::int64_t serve(const TickGrid& grid, std::uint32_t missed, TickState& state) noexcept HAPTIV_NONBLOCKING;
 
   HapticDevice& device_;
   HapticTick tick_;
