@@ -57,7 +57,7 @@ TEST(HiddenCalls, HappenInNoTick) {
     EXPECT_EQ(calls.locks, 0u);
     EXPECT_GT(contacts, 0);
     EXPECT_GT(torques, 0);
-    EXPECT_NE(state.faults, kNoFault);
+    EXPECT_NE(state.session.faults, kNoFault);
   }
 }
 

@@ -49,7 +49,7 @@ TEST_P(RealtimeSanitizer, HasNothingToSayOfFaults) {
     TickState state;
     for (int i = 0; i < 20; ++i) tick(scene, readingOf(description, description.homeAngles), state);
     for (int i = 0; i < 20; ++i) tick(scene, bad, state);
-    EXPECT_NE(state.faults, kNoFault);
+    EXPECT_NE(state.session.faults, kNoFault);
   }
 }
 
