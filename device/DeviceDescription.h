@@ -33,6 +33,8 @@ struct JointDrives {
   JointVector coulombFriction = JointVector::Zero();        ///< at the joint [N m]
   /// Of motors that are bypassed, at the joint [N m s/rad]; within torqueLimit.
   JointVector brakeDamping = JointVector::Constant(40);
+  /// Dry friction more, at the joint, while the motors brake [N m]: it holds the arm's weight.
+  JointVector brakeFriction = JointVector::Zero();
 
   /// Encoder counts per radian of the joint.
   JointVector countsPerRadian() const;

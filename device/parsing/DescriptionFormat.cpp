@@ -23,7 +23,8 @@ Section drives(JointDrives& drives, int joints) {
            {"bandwidth", JointList{&drives.bandwidth, joints}, positive},
            {"viscousFriction", JointList{&drives.viscousFriction, joints}, notNegative},
            {"coulombFriction", JointList{&drives.coulombFriction, joints}, notNegative},
-           {"brakeDamping", JointList{&drives.brakeDamping, joints}, positive}}};
+           {"brakeDamping", JointList{&drives.brakeDamping, joints}, positive},
+           {"brakeFriction", JointList{&drives.brakeFriction, joints}, notNegative}}};
 }
 
 Section safety(SafetyThresholds& safety, int joints) {

@@ -19,6 +19,7 @@ SimulatedArm::SimulatedArm(const DeviceDescription& description, const JointVect
       countsPerRadian_(description.drives.countsPerRadian()),
       viscous_(description.drives.viscousFriction),
       coulomb_(description.drives.coulombFriction),
+      brakeFriction_(description.drives.brakeFriction),
       hand_(description.hand),
       sensor_(description.sensor, seed),
       angles_(start) {
@@ -47,6 +48,7 @@ void SimulatedArm::advance(const DriveDemand& demand, const HandTarget& target, 
 
   const ArmDynamics::Equation equation = dynamics_.evaluate(angles_, rates_);
   JointStep step{equation.mass, rates_, -equation.bias, viscous_, coulomb_, {}, dt};
+  if (demand.braked) step.coulomb += brakeFriction_;
   step.load += J_linear.transpose() * onTool_B_.force + J_angular.transpose() * onTool_B_.torque;
   for (int i = 0; i < kJointCount; ++i) {
     const TorqueLaw law = lawOf(i, demand, equation.bias[i]);

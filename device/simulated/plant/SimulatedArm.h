@@ -46,7 +46,7 @@ class SimulatedArm {
   ArmKinematics arm_;
   ArmDynamics dynamics_;
   JointVector countsPerRadian_;
-  JointVector viscous_, coulomb_;
+  JointVector viscous_, coulomb_, brakeFriction_;
   std::vector<JointDrive> drives_;  // never grows after construction
   HumanHand hand_;
   ForceTorqueSensor sensor_;
