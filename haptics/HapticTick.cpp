@@ -43,8 +43,9 @@ void halt(TickState& state) noexcept {
   state.clamps = kNoClamp;
 }
 
-Driven drivenBy(const HapticScene& scene, const TickState& state) noexcept {
-  return {state.session.now == SessionState::running, state.control.desiredAngles,
+Driven drivenBy(const ControlChoice& choice, const HapticScene& scene, const TickState& state) noexcept {
+  const bool running = state.session.now == SessionState::running;
+  return {running, running && choice.display != DisplayMode::impedance, state.control.desiredAngles,
           state.control.admittance.velocity / scene.device.scale, state.clamps};
 }
 
@@ -80,9 +81,8 @@ void HapticTick::settle(const Measured& measured, TickState& state) const noexce
   state.clamps = kNoClamp;
 }
 
-void HapticTick::run(const HapticScene& scene, const Measured& measured, TickState& state,
+void HapticTick::run(const ControlChoice& choice, const HapticScene& scene, const Measured& measured, TickState& state,
                      TickRecord& record) const noexcept {
-  const ControlChoice choice = control_.choiceFor(scene);
   feel(scene, control_.felt(choice, scene, measured, state.control), state, record);
   const Vector3 damped =
       passivity_(choice, scene, measured, state.control.admittance, state.contacts, state.passivity, record);
@@ -94,22 +94,24 @@ void HapticTick::run(const HapticScene& scene, const Measured& measured, TickSta
 TickRecord HapticTick::operator()(const HapticScene& scene, const DeviceReading& reading, TickState& state,
                                   std::uint32_t missedTicks) const noexcept HAPTIV_NONBLOCKING {
   const Measured measured = measure_(scene.device, reading, state.measuring);
-  const std::uint32_t wrong = monitors_(reading, measured, drivenBy(scene, state), missedTicks, state.monitors);
+  const ControlChoice choice = control_.choiceFor(scene);
+  const std::uint32_t wrong = monitors_(reading, measured, drivenBy(choice, scene, state), missedTicks, state.monitors);
   const bool ran = state.session.now == SessionState::running;
   state.session = next(state.session, reading.inputs, wrong);
   const bool runs = state.session.now == SessionState::running;
   if (state.session.now == SessionState::fault) {
     halt(state);
-  } else if (!ran || !runs) {
+  } else if (ran && runs) {
+    control_.follow(choice, measured, state.control);
+  } else {
     settle(measured, state);
   }
-  if (runs) control_.follow(control_.choiceFor(scene), measured, state.control);
   TickRecord record = recordOf(scene, reading, measured, state);
   record.missedTicks = missedTicks;
   if (runs) {
     TickState moved = state;
     TickRecord attempt = record;
-    run(scene, measured, moved, attempt);
+    run(choice, scene, measured, moved, attempt);
     if (isFinite(moved, attempt.command)) {
       state = moved;
       record = attempt;

@@ -53,7 +53,8 @@ class HapticTick {
   /// The virtual mass at rest where the arm is; whatever is touched there is touched anew, and fades in.
   void settle(const Measured& measured, TickState& state) const noexcept;
   /// Feels the scene and moves on by one period.
-  void run(const HapticScene& scene, const Measured& measured, TickState& state, TickRecord& record) const noexcept;
+  void run(const ControlChoice& choice, const HapticScene& scene, const Measured& measured, TickState& state,
+           TickRecord& record) const noexcept;
   /// The scene's force on the ball, into the record.
   void feel(const HapticScene& scene, const ToolMotion& tool, TickState& state, TickRecord& record) const noexcept;
 

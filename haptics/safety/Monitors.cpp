@@ -19,7 +19,7 @@ std::uint32_t Monitors::operator()(const DeviceReading& reading, const Measured&
   if ((reading.inputs & kInputEmergencyStops) != 0) faults |= kFaultEmergencyStop;
   if (!measured.allFinite()) faults |= kFaultNotFinite;
   faults |= sensor_(reading, measured, state.sensor);
-  faults |= encoders_(reading, driven.running ? &driven.desiredAngles : nullptr, state.encoders);
+  faults |= encoders_(reading, driven.isLed ? &driven.desiredAngles : nullptr, state.encoders);
   faults |= missed_(missedTicks, state.missed);
   return faults | motion(measured, driven, state);
 }
@@ -31,7 +31,7 @@ std::uint32_t Monitors::motion(const Measured& measured, const Driven& driven, M
     return kNoFault;
   }
   const double error = (driven.desiredAngles - measured.angles).cwiseAbs().maxCoeff();
-  const std::uint32_t tracking = error <= trackingErrorLimit_ ? kNoFault : kFaultTracking;
+  const std::uint32_t tracking = !driven.isLed || error <= trackingErrorLimit_ ? kNoFault : kFaultTracking;
   return tracking | oscillation_(driven.velocity, state.oscillation) |
          runaway_(driven.clamps, driven.velocity, measured.handForce, state.runaway);
 }

@@ -10,7 +10,8 @@ namespace haptiv {
 
 /// How the arm was driven up to this tick.
 struct Driven {
-  bool running = false;       ///< the arm follows what is desired
+  bool running = false;       ///< the scene is felt
+  bool isLed = false;         ///< and the arm is sent to where it is desired, not merely pushed
   JointVector desiredAngles;  ///< that the joint controller was given [rad]
   Vector3 velocity;           ///< of the virtual mass, at the device but along W's axes [m/s]
   std::uint32_t clamps;       ///< Clamp bits of the tick before

@@ -71,14 +71,17 @@ TEST(SessionStatesTest, CollectTheFaultsThatFollow) {
 }
 
 TEST_F(HapticTickTest, BrakesWithoutForceWhileTheDeadManIsReleased) {
-  scene.walls[0].shape.centre.x() -= 0.02;  // the ball is in the wall
-  computeBounds(scene);
-  TickState state = ready();
+  testing::IdealArm arm(description, start, inTool({20, 0, 0}));  // against the wall
+  arm.start(1 / testing::kRate);
+  TickState state;
   TickRecord record;
-  for (int i = 0; i < 200; ++i) record = tick(scene, readingOf(description, start), state);
+  for (int i = 0; i < 400; ++i) {
+    record = tick(scene, arm.read(), state);
+    arm.write(record.command);
+  }
   EXPECT_EQ(record.state, running);
   EXPECT_GT(record.environmentForce.norm(), 1);
-  record = tick(scene, released(readingOf(description, start)), state);
+  record = tick(scene, released(arm.read()), state);
   EXPECT_EQ(record.state, SessionState::ready);
   EXPECT_EQ(record.faults, kNoFault);
   EXPECT_FALSE(record.command.enabled);
@@ -88,10 +91,12 @@ TEST_F(HapticTickTest, BrakesWithoutForceWhileTheDeadManIsReleased) {
 
 TEST_F(HapticTickTest, StartsSoftlyAgainWhereTheArmIsThen) {
   TickState state = ready();
-  for (int i = 0; i < 200; ++i) tick(scene, readingOf(description, start, inTool({5, 0, 0})), state);
+  for (int i = 0; i < 20; ++i) tick(scene, readingOf(description, start), state);
   JointVector elsewhere = start;
-  elsewhere[3] += 0.1;  // the arm has been pushed on while it braked
-  tick(scene, released(readingOf(description, elsewhere)), state);
+  for (int i = 0; i < 50; ++i) {  // the arm is pushed on while it brakes
+    elsewhere[3] += 0.002;
+    EXPECT_EQ(tick(scene, released(readingOf(description, elsewhere)), state).faults, kNoFault);
+  }
   scene.walls[0].shape.centre.x() -= 0.05;
   computeBounds(scene);
   const TickRecord first = tick(scene, readingOf(description, elsewhere), state);
@@ -101,12 +106,12 @@ TEST_F(HapticTickTest, StartsSoftlyAgainWhereTheArmIsThen) {
   EXPECT_EQ(first.desiredPosition, first.position);
   EXPECT_EQ(first.desiredAngles, first.jointAngles);
   Vector3 last = Vector3::Zero();
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < 20; ++i) {
     const TickRecord record = tick(scene, readingOf(description, elsewhere), state);
     EXPECT_LT((record.environmentForce - last).norm(), 5);
     last = record.environmentForce;
   }
-  EXPECT_GT(last.norm(), 10);
+  EXPECT_GT(last.norm(), 1);
 }
 
 TEST_F(HapticTickTest, GoesOnAfterAFaultOnlyByResetAndAFreshPress) {
