@@ -110,11 +110,12 @@ TEST_F(Resimulation, ShowsWhatAnotherSceneWouldHaveGiven) {
   double logged = 0, resimulated = 0;
   resimulate(log, stiffer, [&](const TickRecord& before, const TickRecord& after) {
     EXPECT_EQ(before.tick, after.tick);
-    logged = std::max(logged, before.environmentForce.norm());
-    resimulated = std::max(resimulated, after.environmentForce.norm());
+    logged = std::max(logged, before.penetration);
+    resimulated = std::max(resimulated, after.penetration);
     return true;
   });
-  EXPECT_GT(resimulated, 1.1 * logged);
+  EXPECT_GT(resimulated, 0);
+  EXPECT_LT(resimulated, 0.8 * logged);  // the same hand presses as hard into a wall twice as stiff
 }
 
 TEST_F(Resimulation, TellsASceneThatIsNotThere) {
