@@ -14,8 +14,8 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
-using ::testing::IsSupersetOf;
 using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
 using namespace haptiv::testing;
 
 std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder) {
