@@ -46,6 +46,9 @@ TEST(FaultTable, HasEveryFaultFoundAndNamed) {
     if (line.of.faults == kNoFault) {
       EXPECT_EQ(line.outcome.faults, kNoFault) << faultList(line.outcome.faults);
     }
+    if (line.of.clamps != kNoClamp) {
+      EXPECT_NE(line.outcome.clamps & line.of.clamps, kNoClamp);
+    }
     if (line.of.faults != kNoFault) {
       EXPECT_LE(line.outcome.found, line.of.within);
     }
