@@ -31,8 +31,18 @@ std::uint32_t Board::causes(const BoardInputs& inputs, bool wasDriving) noexcept
   if ((inputs.buttons & kInputEmergencyStops) != 0) found |= kTripEmergencyStop;
   if (!inputs.powerGood) found |= kTripPower;
   if (wasDriving && !fed()) found |= kTripWatchdog;
-  if (wasDriving && (inputs.buttons & kInputDeadMan) == 0) found |= kTripDeadMan;
+  if (isDeadManIgnored(inputs, wasDriving)) found |= kTripDeadMan;
   return found;
+}
+
+bool Board::isDeadManIgnored(const BoardInputs& inputs, bool wasDriving) noexcept {
+  const bool released = (inputs.buttons & kInputDeadMan) == 0;
+  if (wasDriving && released) {
+    releasedAt_ = now_;
+    awaitsHost_ = true;
+  }
+  if (!released || !command_.drive.enabled) awaitsHost_ = false;
+  return awaitsHost_ && now_ - releasedAt_ > thresholds_.watchdogTime;
 }
 
 void Board::advance(std::int64_t now, const BoardInputs& inputs) noexcept {

@@ -53,6 +53,9 @@ class Board {
   bool fed() const noexcept { return everFed_ && now_ - fedAt_ <= thresholds_.watchdogTime; }
   bool driving() const noexcept { return latch_.armed() && command_.drive.enabled && fed(); }
   std::uint32_t causes(const BoardInputs& inputs, bool wasDriving) noexcept;
+  /// The dead-man was released while the drives were on: they brake at once, and that is no fault; but a host that
+  /// enables them for longer than the watchdog's time after it does not see the operator.
+  bool isDeadManIgnored(const BoardInputs& inputs, bool wasDriving) noexcept;
 
   BoardSettings settings_;
   CircuitThresholds thresholds_;
@@ -64,6 +67,8 @@ class Board {
   BoardCounters counters_;
   std::int64_t now_ = 0;
   std::int64_t fedAt_ = 0;
+  std::int64_t releasedAt_ = 0;  // the dead-man, while the drives were on
+  bool awaitsHost_ = false;      // to take its command back since then
   bool everFed_ = false;
   bool started_ = false;
   bool homed_ = false;

@@ -24,7 +24,7 @@ enum Trip : std::uint32_t {
   kTripWatchdog = 1u << 0,       ///< no valid command with a changed heartbeat in time: the host hangs
   kTripOverspeed = 1u << 1,      ///< a joint counted more encoder impulses than the reference counter allows
   kTripEmergencyStop = 1u << 2,  ///< one of the buttons
-  kTripDeadMan = 1u << 3,        ///< the dead-man was released while the drives were on
+  kTripDeadMan = 1u << 3,        ///< it was released, and the host went on enabling the drives
   kTripEncoder = 1u << 4,        ///< an encoder is silent or jumps
   kTripCommand = 1u << 5,        ///< set-points that no drive can follow, or that are no numbers
   kTripHost = 1u << 6,           ///< the host asked for it

@@ -141,6 +141,22 @@ TEST_F(SafetyCircuit, StopsWhenTheDeadManIsReleasedWhileTheArmIsDriven) {
   release(kInputDeadMan);
   look(250);
   EXPECT_FALSE(drives());
+  EXPECT_EQ(trips(), kNoTrip);
+  command.drive.enabled = false;  // the host has seen it
+  tick(50);
+  EXPECT_EQ(trips(), kNoTrip);
+  press(kInputDeadMan);
+  tick();
+  command.drive.enabled = true;
+  tick();
+  EXPECT_TRUE(drives());
+}
+
+TEST_F(SafetyCircuit, LatchesADeadManWhoseReleaseTheHostDoesNotSee) {
+  drive();
+  release(kInputDeadMan);
+  tick(20);
+  EXPECT_FALSE(drives());
   EXPECT_EQ(trips(), kTripDeadMan);
   press(kInputDeadMan);
   tick();
