@@ -43,7 +43,8 @@ void TimingChart::show(const TimeDistribution& wakeUps, const TimeDistribution& 
 
 QRectF TimingChart::canvas() const {
   const int letters = fontMetrics().height();
-  return QRectF(rect()).adjusted(fontMetrics().horizontalAdvance("1M") + 2 * kMargin, kMargin, -kMargin - letters,
+  const int half = fontMetrics().horizontalAdvance("100 ms") / 2;
+  return QRectF(rect()).adjusted(fontMetrics().horizontalAdvance("1M") + 2 * kMargin, kMargin, -kMargin - half,
                                  -letters - kMargin);
 }
 
