@@ -15,10 +15,13 @@ Chain::Script pressing(Spoil spoil) {
     if (since >= 0) spoil(chain, since);
   };
 }
+/// An operator who carries the ball when the arm stops lets go, startled, after the time of a reaction.
 template <typename Spoil>
 Chain::Script carrying(Spoil spoil) {
+  constexpr int kReaction = 150;  // [ticks]
   return [spoil](Chain& chain, int since) mutable {
     carryFast(chain);
+    if (since >= kReaction) chain.hand.target.holding = false;
     if (since >= 0) spoil(chain, since);
   };
 }
@@ -86,8 +89,8 @@ FaultGroup encoderFaults() {
             })},
            {"an encoder runs away, a joint seems too fast", kFaultJointSpeed, kNoClamp, SessionState::fault, 2,
             pressing(encoderOff(0, 1000))},
-           {"an encoder slips by 0.5 rad/s", kFaultTracking, kNoClamp, SessionState::fault, 400,
-            pressing(encoderOff(0, 32.6)), 1, 1}}};
+           {"an encoder slips by 5 rad/s", kFaultTracking, kNoClamp, SessionState::fault, 400,
+            pressing(encoderOff(0, 326)), 1, 1}}};
 }
 
 FaultGroup connectionFaults() {
@@ -101,8 +104,8 @@ FaultGroup connectionFaults() {
         pressing([](Chain& chain, int) { chain.missedTicks = 600; })},
        {"two of three ticks missed", kFaultMissedTicks, kNoClamp, SessionState::fault, 1100,
         pressing([](Chain& chain, int) { chain.missedTicks += 2; }), 1, 1.5},
-       {"every command lost at 1 m/s", kFaultTracking, kNoClamp, SessionState::fault, 500,
-        carrying([](Chain& chain, int) { chain.commandLost = true; })}}};
+       {"every command lost at 1 m/s: the board's watchdog", kFaultTripWatchdog, kNoClamp, SessionState::fault, 12,
+        carrying([](Chain& chain, int) { chain.hostSilent = true; })}}};
 }
 
 FaultGroup tripFaults() {

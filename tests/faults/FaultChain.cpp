@@ -69,7 +69,6 @@ Outcome FaultChain::run(double injectAt, double goesOn, const Script& script) {
   TrueTool tool(description);
   TickState state;
   Outcome outcome;
-  DeviceCommand command;
   Vector3 lastForce = Vector3::Zero();
   const auto injection = static_cast<std::int64_t>(injectAt * kRate);
   const auto end = injection + static_cast<std::int64_t>(goesOn * kRate);
@@ -78,14 +77,14 @@ Outcome FaultChain::run(double injectAt, double goesOn, const Script& script) {
     const auto since = static_cast<int>(ticks_ - injection);
     const DeviceReading truth = device.read();
     reading = truth;
-    commandLost = false;
+    hostSilent = false;
     script(*this, since);
     const TickRecord record = tick(scene, reading, state, missedTicks);
     const double speed = tool.speed(truth);
     if (since >= 0) add(outcome, record, speed, (record.environmentForce - lastForce).norm(), since);
     lastForce = record.environmentForce;
-    if (!commandLost) command = record.command;
-    device.write(command);
+    device.inject({.hostSilent = hostSilent});
+    device.write(record.command);
   }
   device.stop();
   return outcome;

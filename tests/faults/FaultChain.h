@@ -40,7 +40,7 @@ class FaultChain {
   HapticScene scene;
   Operator hand;
   DeviceReading reading;          ///< as the host gets it: spoil it here
-  bool commandLost = false;       ///< the device does not get this tick's command, and goes on with the last one
+  bool hostSilent = false;        ///< the device gets no commands: its board does not hear the host
   std::uint32_t missedTicks = 0;  ///< that the servo has skipped so far
 
   const Vector3& home() const { return home_; }

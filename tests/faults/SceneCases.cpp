@@ -33,6 +33,11 @@ void jerk(Chain& chain, int since) {
   chain.hand.target.holding = true;
   chain.hand.target.position = chain.home() + Vector3(0, since < 0 ? -0.3 : 0.6, 0);
 }
+/// The hand throws the ball at the wall as hard as it can.
+void thrust(Chain& chain, int since) {
+  chain.hand.target.holding = true;
+  chain.hand.target.position = chain.home() + Vector3(since < 0 ? -0.2 : 0.3, 0, 0);
+}
 void press(Chain& chain, int) {
   pressOnWall(chain);
 }
@@ -64,10 +69,8 @@ FaultGroup sceneFaults() {
 FaultGroup clampCases() {
   const auto running = SessionState::running;
   return {"Clamps",
-          {{"the scene asks for more than 170 N", kNoFault, kClampForce, running, 0, edited([](HapticScene& scene) {
-              scene.walls[0].shape.centre.x() -= 0.1;
-              scene.walls[0].surface.damping = 100;
-            })},
+          {{"the ball is thrown into a wall of 40,000 N/m", kNoFault, kClampForce, running, 0,
+            madeSo([](HapticScene& scene) { scene.walls[0].surface.stiffness = 4e4; }, thrust)},
            {"the hand pulls a light ball with 170 N", kNoFault, kClampSpeed | kClampAcceleration, running, 0,
             madeSo(
                 [](HapticScene& scene) {
@@ -81,17 +84,24 @@ FaultGroup clampCases() {
 
 FaultGroup stabilityFaults() {
   return {"Stability",
-          {{"runaway admittance: a medium that pushes (-20 N s/m), nobody holds the ball", kFaultRunaway, kClampSpeed,
+          {{"runaway admittance: a medium that pushes (-60 N s/m), nobody holds the ball", kFaultRunaway, kClampSpeed,
             SessionState::fault, 1000,
             madeSo(
                 [](HapticScene& scene) {
                   scene.walls.clear();
-                  scene.tool.damping = -20;
+                  scene.tool.damping = -60;
                 },
                 nudge),
             1, 1.2},
-           {"oscillation: a wall of 4,500 N s/m, beyond the stability limit", kFaultOscillation, kNoClamp,
-            SessionState::fault, 1000, edited([](HapticScene& scene) { scene.walls[0].surface.damping = 4500; })},
+           {"oscillation: a wall of 20,000,000 N/m and a ball of 0.5 kg", kFaultOscillation, kNoClamp,
+            SessionState::fault, 1500,
+            madeSo(
+                [](HapticScene& scene) {
+                  scene.tool.mass = 0.5;
+                  scene.walls[0].surface.stiffness = 2e7;
+                },
+                press),
+            0.01, 1.5},
            {"oscillation: a ball of 20 g in a firm grip", kFaultOscillation, kNoClamp, SessionState::fault, 1500,
             madeSo(
                 [](HapticScene& scene) {
