@@ -66,8 +66,15 @@ TEST(RotationalAdmittance, StaysARotationInALongSession) {
   EXPECT_NEAR(rotation.determinant(), 1, 1e-14);
 }
 
+DeviceDescription withoutFriction() {
+  DeviceDescription description = loadDeviceDescription("vishard10");
+  description.drives.viscousFriction.setZero();
+  description.drives.coulombFriction.setZero();
+  return description;
+}
+
 TEST(ComputedTorque, MakesTheErrorADampedOscillatorInEveryPose) {
-  const DeviceDescription description = loadDeviceDescription("vishard10");
+  const DeviceDescription description = withoutFriction();
   const ComputedTorque control(description);
   const ArmKinematics kinematics(description);
   const ArmDynamics arm(description);
@@ -87,6 +94,20 @@ TEST(ComputedTorque, MakesTheErrorADampedOscillatorInEveryPose) {
         -2 * zeta * w * (desired.rates - measured.rates) - w * w * (desired.angles - measured.angles);
     EXPECT_LT((error - oscillator).norm(), 1e-8 * (1 + oscillator.norm()));
   }
+}
+
+TEST(ComputedTorque, CarriesTheFrictionOfJointsThatSlideAndNoneOfJointsAtRest) {
+  const DeviceDescription description = loadDeviceDescription("vishard10");
+  const ComputedTorque control(description), frictionless(withoutFriction());
+  const ArmKinematics kinematics(description);
+  Measured measured;
+  measured.angles = description.homeAngles;
+  measured.arm = kinematics.evaluate(measured.angles);
+  JointMotion desired{measured.angles, JointVector::Zero(), JointVector::Zero()};
+  EXPECT_EQ(control(desired, measured, {}), frictionless(desired, measured, {}));
+  desired.rates = JointVector::Constant(-1);
+  const JointVector friction = control(desired, measured, {}) - frictionless(desired, measured, {});
+  EXPECT_LT((friction + description.drives.coulombFriction + description.drives.viscousFriction).norm(), 1e-9);
 }
 
 TEST(ComputedTorque, SaysWhatItNeedsOfADescriptionWithoutBodies) {

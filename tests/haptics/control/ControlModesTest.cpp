@@ -32,7 +32,9 @@ struct Operator {
 class ControlModes : public ::testing::TestWithParam<ControlChoice> {
  protected:
   ControlModes() {
-    description.sensor.forceNoise = description.sensor.torqueNoise = 0;  // as these readings are
+    description.sensor.forceNoise = description.sensor.torqueNoise = 0;  // as these readings are,
+    description.drives.viscousFriction.setZero();                        // and this arm
+    description.drives.coulombFriction.setZero();
     home = ArmKinematics(description).forward(description.homeAngles).position;
   }
 
