@@ -26,7 +26,7 @@ TEST(Bench, SaysWhatThereIsWhereANameIsUnknown) {
   EXPECT_EQ(ended.code, 2);
   EXPECT_EQ(ended.out, "");
   EXPECT_THAT(ended.err, HasSubstr("\"tock\""));
-  EXPECT_THAT(ended.err, HasSubstr("collision, ik, compile, log"));
+  EXPECT_THAT(ended.err, HasSubstr("collision, ik, compile, edits, log"));
 }
 
 }  // namespace
