@@ -52,7 +52,7 @@ In most cases the operator presses 20 N on a wall of 2000 N/m, or carries the ba
 command that brakes; 1 ms is the same tick. *At rest* is the time until the tool stands still. *Force* is the largest of the scene on the ball from the
 injection on, *step* its largest change from tick to tick, *speed* the largest of the tool, whatever the host is told. A dash: the session goes on.
 
-Limits: %FORCE% N, %SPEED% m/s. No case leaves them.
+Limits: %FORCE% N, %SPEED% m/s. The clamps bound what the arm is sent to do: the force never leaves them; the tool itself, pulled by a hand, may be a little faster.
 )";
 
 constexpr const char* kColumns =
