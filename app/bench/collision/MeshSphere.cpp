@@ -17,13 +17,13 @@ Vector3 direction(Dice& dice) {
 }
 
 /// A square of the cube around the sphere, n x n cells, blown up to it.
-void addSide(const Matrix3& turned, std::uint32_t n, std::vector<Vector3>& vertices,
+void addSide(const Matrix3& turned, std::uint32_t n, double radius, std::vector<Vector3>& vertices,
              std::vector<TriangleMesh::Triangle>& triangles) {
   const auto first = static_cast<std::uint32_t>(vertices.size());
   const auto across = [n](std::uint32_t i) { return std::tan(std::numbers::pi / 4 * (2.0 * i / n - 1)); };
   for (std::uint32_t i = 0; i <= n; ++i) {
     for (std::uint32_t j = 0; j <= n; ++j) {
-      vertices.push_back(kSphereRadius * (turned * Vector3(across(i), across(j), 1)).normalized());
+      vertices.push_back(radius * (turned * Vector3(across(i), across(j), 1)).normalized());
     }
   }
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -37,41 +37,43 @@ void addSide(const Matrix3& turned, std::uint32_t n, std::vector<Vector3>& verti
 
 }  // namespace
 
-HapticScene meshSphere(std::uint32_t triangles) {
+HapticScene meshSphere(std::uint32_t triangles, double scale) {
+  const double radius = scale * kSphereRadius;
   const auto n = static_cast<std::uint32_t>(std::ceil(std::sqrt(triangles / 12.0)));
   std::vector<Vector3> vertices;
   std::vector<TriangleMesh::Triangle> corners;
   for (int quarter = 0; quarter < 4; ++quarter) {
     const Eigen::AngleAxisd turn(quarter * std::numbers::pi / 2, Vector3::UnitX());
-    addSide(turn.toRotationMatrix(), n, vertices, corners);
+    addSide(turn.toRotationMatrix(), n, radius, vertices, corners);
   }
   for (const double side : {1.0, -1.0}) {
     const Eigen::AngleAxisd turn(side * std::numbers::pi / 2, Vector3::UnitY());
-    addSide(turn.toRotationMatrix(), n, vertices, corners);
+    addSide(turn.toRotationMatrix(), n, radius, vertices, corners);
   }
   HapticScene scene;
   scene.version = 1;
-  scene.tool.radius = kSphereToolRadius;
+  scene.tool.radius = scale * kSphereToolRadius;
   Wall& wall = scene.walls.emplace_back();
   wall.id = 1;
   wall.shape.kind = Shape::Kind::mesh;
-  wall.shape.axes = kSphereRadius * Matrix3::Identity();
+  wall.shape.axes = radius * Matrix3::Identity();
   wall.shape.mesh = makeTriangleMesh(vertices, corners);
   computeBounds(scene);
   return scene;
 }
 
-std::vector<ToolMotion> pathOverSphere(int legs) {
+std::vector<ToolMotion> pathOverSphere(int legs, double scale) {
   Dice dice;
   std::vector<ToolMotion> path;
-  const double high = kSphereRadius + 3 * kSphereToolRadius, deep = kSphereRadius + 0.5 * kSphereToolRadius;
+  const double radius = scale * kSphereRadius, ball = scale * kSphereToolRadius;
+  const double high = radius + 3 * ball, deep = radius + 0.5 * ball;
   Vector3 from = Vector3::UnitZ();
   const auto go = [&](const Vector3& axis, double turn, double start, double end, int ticks) {
     for (int i = 1; i <= ticks; ++i) {
       const double t = static_cast<double>(i) / ticks;
       const Vector3 place = (start + t * (end - start)) * (Eigen::AngleAxisd(t * turn, axis) * from);
       const Vector3 velocity = path.empty() ? Vector3(0, 0, 0) : Vector3((place - path.back().position) / kPeriod);
-      path.push_back({place, velocity, kSphereToolRadius});
+      path.push_back({place, velocity, ball});
     }
     from = Eigen::AngleAxisd(turn, axis) * from;
   };

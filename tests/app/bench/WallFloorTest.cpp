@@ -36,6 +36,22 @@ TEST(WallFloor, KnowsWhatTouchesWithoutASearch) {
   }
 }
 
+TEST(WallFloor, IsFeltInEveryTickInWhichTheBallTouchesItAtAnyScale) {
+  for (const double scale : {0.1, 1.0, 10.0}) {
+    const WallFloor floor(10000, scale);
+    ContactSet contacts;
+    int touching = 0, missed = 0;
+    for (const ToolMotion& tool : pathOver(floor, 20)) {
+      renderWalls(floor.scene(), tool, contacts);
+      if (!floor.isTouching(tool.position)) continue;
+      ++touching;
+      missed += contacts.count == 0 ? 1 : 0;
+    }
+    EXPECT_GT(touching, 5000);
+    EXPECT_EQ(missed, 0) << "size x" << scale;
+  }
+}
+
 TEST(WallFloor, IsPassedAlongAPathWithoutJumps) {
   const WallFloor floor(10000, 1);
   const std::vector<ToolMotion> path = pathOver(floor, 20);
