@@ -12,6 +12,8 @@
 namespace haptiv {
 namespace {
 
+constexpr double kSlip = 1.0 / 16;  ///< of the radius, in a tick
+
 const Wall& wallOf(const HapticScene& scene, const Contact& contact) noexcept {
   return scene.walls[static_cast<std::size_t>(contact.wall)];
 }
@@ -46,7 +48,7 @@ void keepHolding(const HapticScene& scene, const Proxy& proxy, const NearSurface
 void followWalls(const ContactSet& before, const Vector3& goal, Proxy& proxy) noexcept {
   const bool isFree =
       std::none_of(before.begin(), before.end(), [&](const Contact& c) { return c.offset > c.normal.dot(goal); });
-  if (isFree) {
+  if (isFree && !proxy.isWedged) {
     proxy.position = goal;
     return;
   }
@@ -71,7 +73,7 @@ void meetWalls(const HapticScene& scene, MeshNeighbourhood& meshes, const Vector
                bool wasHeld, NearSurfaces& walls, Proxy& proxy) noexcept {
   const Vector3 start = proxy.position;
   const double left = proxy.way;
-  for (const double ahead : {std::min(way, radius), radius}) {
+  for (const double ahead : {std::clamp(way, kSlip * radius, radius), radius}) {
     findWallsAround(scene, start, radius + ahead, walls);
     if (!wasHeld && walls.count == 0) return;
     proxy.position = start;
@@ -91,6 +93,7 @@ void touchWalls(const HapticScene& scene, const Vector3& goal, double radius, do
   Proxy proxy;
   proxy.position = contacts.surfacePosition;
   proxy.way = way;
+  proxy.isWedged = contacts.wedged;
   addRemembered(scene, contacts, proxy.planes);
   const bool wasHeld = proxy.planes.count > 0;
   // The proxy goes with the ball, or less far: what is around the middle of that way is near all of it.
@@ -110,24 +113,32 @@ void touchWalls(const HapticScene& scene, const Vector3& goal, double radius, do
   contacts.goal = goal;
 }
 
-/// Where the scene is new or was edited, the proxy comes to rest in it at once: SceneFade lets the force in slowly.
+/// Brings the proxy on, and says whether it has moved.
+bool moveOn(const HapticScene& scene, const ToolMotion& tool, double way, ContactSet& contacts) noexcept {
+  constexpr double kAtRest = 1e-6;  // of the radius
+  const Vector3 before = contacts.surfacePosition;
+  touchWalls(scene, tool.position + contacts.frictionOffset, tool.radius, way, contacts);
+  return (contacts.surfacePosition - before).norm() > kAtRest * tool.radius;
+}
+
+/// Where the scene is new or was edited, the proxy comes to rest in it at once: SceneFade lets the force in slowly. One
+/// that would still slip, as the walls leave it no place and push it to and fro, stays where it is: so does the force.
 void settle(const HapticScene& scene, const ToolMotion& tool, ContactSet& contacts) noexcept {
   constexpr int kMostRounds = 32;
-  constexpr double kAtRest = 1e-6;  // of the radius
   if (!contacts.started) contacts.surfacePosition = contacts.goal = contacts.toolPosition = tool.position;
   contacts.started = true;
+  contacts.wedged = false;
   followEdit(scene, tool.radius, contacts);
   for (int round = 0; round < kMostRounds; ++round) {
-    const Vector3 before = contacts.surfacePosition;
-    touchWalls(scene, tool.position + contacts.frictionOffset, tool.radius, std::numeric_limits<double>::max(),
-               contacts);
-    if (!((contacts.surfacePosition - before).norm() > kAtRest * tool.radius)) break;
+    if (!moveOn(scene, tool, std::numeric_limits<double>::max(), contacts)) break;
   }
+  ContactSet next = contacts;
+  contacts.wedged = moveOn(scene, tool, kSlip * tool.radius, next);
 }
 
 /// How far the proxy may go in a tick while it is held: with the ball, on a curved surface farther, and a little more.
 double slipWay(const ToolMotion& tool, const ContactSet& contacts) noexcept {
-  return 2 * (tool.position - contacts.toolPosition).norm() + tool.radius / 16;
+  return 2 * (tool.position - contacts.toolPosition).norm() + (contacts.wedged ? 0 : kSlip * tool.radius);
 }
 
 /// How fast the ball moves into each contact: where several see the same motion, each has its share of it.
@@ -167,6 +178,7 @@ Vector3 renderWalls(const HapticScene& scene, const ToolMotion& tool, ContactSet
     touchWalls(scene, tool.position, tool.radius, way, contacts);
   }
   contacts.sliding = friction.sliding;
+  contacts.wedged = contacts.wedged && !(contacts.count == 0 && contacts.surfacePosition == contacts.goal);
   contacts.toolPosition = tool.position;
   contacts.frictionOffset = friction.offset;
   takeUpSlack(scene, slacks, contacts);

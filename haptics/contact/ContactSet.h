@@ -35,6 +35,7 @@ struct ContactSet {
   int count = 0;
   bool started = false;
   bool sliding = false;                       ///< friction does not hold the proxy
+  bool wedged = false;                        ///< an edit left the proxy no place: it moves only with the ball
   std::uint32_t sceneVersion = 0;             ///< for which `wall` holds
   Vector3 surfacePosition = Vector3::Zero();  ///< the proxy: the ball's centre as the walls allow it, p_WT [m]
   Vector3 goal = Vector3::Zero();             ///< to which it was drawn [m]

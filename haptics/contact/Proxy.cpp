@@ -33,7 +33,7 @@ double stride(const MeshNeighbourhood& meshes, const Vector3& from, double lengt
 void slideAlongWalls(const Vector3& goal, Proxy& proxy) noexcept {
   proxy.touching.count = 0;
   const Vector3 target = proxy.planes.nearest(goal, proxy.position);
-  if (holds(proxy.planes)) {
+  if (proxy.isWedged || holds(proxy.planes)) {
     proxy.goTowards(target);
   } else {
     proxy.position = target;
@@ -61,12 +61,12 @@ void slide(const HapticScene& scene, MeshNeighbourhood& meshes, const Vector3& g
     const Vector3 step = target - proxy.position;
     const double length = step.norm();
     const bool isHeld = holds(proxy.planes);
-    const double allowed = isHeld ? std::min(length, proxy.way) : length;
+    const double allowed = isHeld || proxy.isWedged ? std::min(length, proxy.way) : length;
     if (!(allowed > (isHeld ? enoughAfter(pass) * radius : 0)) || pass > kMostPasses) break;
     const double ahead = stride(meshes, proxy.position, allowed, radius);
     const double gone = freeLength(meshes, proxy.position, step / length, ahead, radius);
     proxy.position = gone == length ? target : Vector3(proxy.position + gone / length * step);
-    if (isHeld) proxy.way -= gone;
+    if (isHeld || proxy.isWedged) proxy.way -= gone;
     if (!(gone > 0)) break;  // in a corner so sharp that its planes do not settle
   }
 }

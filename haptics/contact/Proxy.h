@@ -18,6 +18,7 @@ void addPlanes(ProxyPlanes& planes, const NearSurfaces& near, const Vector3& pla
 struct Proxy {
   Vector3 position;       ///< p_WT [m]
   double way;             ///< how far it may still go in this tick while it is held back [m]
+  bool isWedged;          ///< goes no farther even where nothing holds it
   NearSurfaces touching;  ///< out: triangles, measured from `position`
   ProxyPlanes planes;     ///< in: the exact walls; out: and then the triangles, each with its share of the way
 

@@ -84,5 +84,39 @@ TEST(AnEditedScene, NeverStepsTheForce) {
   EXPECT_GT(judged, 200);
 }
 
+/// Thick walls all around, among which the ball has no place. Whatever force that makes, it comes slowly.
+TEST(AnEditedScene, NeverStepsTheForceOnABallInAGapNarrowerThanItself) {
+  RandomShapes random(2);
+  HapticScene scene;
+  ContactSet contacts;
+  SceneFade fade;
+  Vector3 last = Vector3::Zero();
+  int narrow = 0;
+  for (int version = 1; version < 300; ++version) {
+    scene.walls.clear();
+    for (int i = 0; i < 2 + version % 4; ++i) {
+      Wall& wall = scene.walls.emplace_back();
+      const Matrix3 R = random.rotation();
+      const Vector3 half(random.between(0.02, 0.05), random.between(0.02, 0.05), random.between(0.005, 0.05));
+      wall.id = static_cast<ShapeId>(i + 1);
+      wall.shape.axes = R * half.asDiagonal();
+      wall.shape.centre = -(half.z() + random.between(-0.004, 0.009)) * R.col(2);
+      wall.surface.stiffness = random.between(100, 2000);
+    }
+    scene.version = static_cast<std::uint32_t>(version);
+    computeBounds(scene);
+    Vector3 raw = renderWalls(scene, {Vector3::Zero(), Vector3::Zero(), 0.01}, contacts);
+    narrow += hasRoom(scene, contacts.surfacePosition) ? 0 : 1;
+    const double largest = std::max(last.norm(), raw.norm());
+    for (int tick = 0; tick < 120; ++tick) {
+      const Vector3 felt = fade.apply(scene, raw, 1e-3);
+      EXPECT_LE((felt - last).norm(), 0.0101 * 2 * largest + 1e-3) << version << " " << tick;
+      last = felt;
+      raw = renderWalls(scene, {Vector3::Zero(), Vector3::Zero(), 0.01}, contacts);
+    }
+  }
+  EXPECT_GT(narrow, 10);
+}
+
 }  // namespace
 }  // namespace haptiv
