@@ -41,14 +41,17 @@ TimingPanel::TimingPanel(QWidget* parent)
   choice->addWidget(new QLabel(tr("Ticks per second"), this));
   choice->addWidget(rate_);
   choice->addStretch();
-  auto* column = new QVBoxLayout(this);
+  auto* column = new QVBoxLayout;
   column->addLayout(choice);
-  column->addWidget(chart_, 1);
   for (QLabel* label : {wakeUps_, ticks_, share_}) {
     label->setWordWrap(true);
     label->setTextFormat(Qt::RichText);
     column->addWidget(label);
   }
+  column->addStretch();
+  auto* row = new QHBoxLayout(this);  // side by side: the panel shares a low dock with the plots
+  row->addWidget(chart_, 3);
+  row->addLayout(column, 2);
   clear();
 }
 

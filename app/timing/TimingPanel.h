@@ -25,6 +25,8 @@ class TimingPanel : public QWidget {
   /// No session runs.
   void clear();
 
+  QSize minimumSizeHint() const override { return {360, 110}; }
+
  signals:
   /// For the next session [Hz]; while one runs there is nothing to choose.
   void rateChosen(double rate);
