@@ -50,8 +50,8 @@ TimingPanel::TimingPanel(QWidget* parent)
   }
   column->addStretch();
   auto* row = new QHBoxLayout(this);  // side by side: the panel shares a low dock with the plots
-  row->addWidget(chart_, 3);
-  row->addLayout(column, 2);
+  row->addWidget(chart_, 2);
+  row->addLayout(column, 3);
   clear();
 }
 
