@@ -109,8 +109,9 @@ TEST(FlightRecorderTest, IsWrittenByASessionWithAndWithoutALog) {
     EXPECT_THAT(flight.header().fault, HasSubstr("emergency stop"));
     EXPECT_TRUE(verify(flight).identical());  // it starts with the session
     if (!logged) continue;
+    const SessionLog log(folder / "s.h5");
     std::vector<std::string> names;
-    for (const SessionEvent& event : SessionLog(folder / "s.h5").events()) names.push_back(nameOf(event));
+    for (const SessionEvent& event : log.events()) names.push_back(nameOf(event));
     EXPECT_THAT(names, IsSupersetOf({"ready", "running", "emergency stop", "fault"}));
   }
 }
