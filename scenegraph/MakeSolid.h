@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "device/DeviceDescription.h"
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 #include "scenegraph/NodeRef.h"
 
 class SbBox3f;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "haptics/SameShapes.h"
+#include "haptics/scene/SameShapes.h"
 #include "scenegraph/compiling/SceneCollector.h"
 
 namespace haptiv {

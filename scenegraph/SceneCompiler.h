@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 #include "scenegraph/Diagnostic.h"
 #include "scenegraph/SceneFile.h"
 #include "scenegraph/compiling/PathIds.h"

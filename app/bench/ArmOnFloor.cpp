@@ -4,8 +4,8 @@
 
 #include "device/kinematics/ArmKinematics.h"
 #include "device/simulated/ScriptedHand.h"
-#include "haptics/DeviceFrames.h"
-#include "haptics/SessionStart.h"
+#include "haptics/scene/DeviceFrames.h"
+#include "haptics/servo/SessionStart.h"
 
 namespace haptiv {
 

@@ -4,7 +4,7 @@
 #include "app/bench/Benches.h"
 #include "app/bench/TemporaryFile.h"
 #include "app/session/log/SessionLogWriter.h"
-#include "haptics/FastLoop.h"
+#include "haptics/servo/FastLoop.h"
 
 namespace haptiv {
 namespace {

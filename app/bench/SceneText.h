@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 
 namespace haptiv {
 

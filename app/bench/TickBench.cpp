@@ -3,9 +3,9 @@
 #include "app/bench/ArmOnFloor.h"
 #include "app/bench/Benches.h"
 #include "app/bench/ReplayedDevice.h"
-#include "haptics/FastLoop.h"
-#include "haptics/ServeTick.h"
-#include "haptics/ServoLoop.h"
+#include "haptics/servo/FastLoop.h"
+#include "haptics/servo/ServeTick.h"
+#include "haptics/servo/ServoLoop.h"
 
 namespace haptiv {
 namespace {

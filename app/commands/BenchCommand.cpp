@@ -11,7 +11,7 @@
 #include "app/commands/ExitCode.h"
 #include "app/commands/Report.h"
 #include "app/commands/WallMapReport.h"
-#include "haptics/ServoPace.h"
+#include "haptics/servo/ServoPace.h"
 #include "scenegraph/SceneFile.h"
 
 namespace haptiv {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "device/DeviceDescription.h"
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 #include "scenegraph/SceneCompiler.h"
 #include "scenegraph/SceneFile.h"
 

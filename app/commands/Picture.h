@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/commands/LoadedScene.h"
-#include "haptics/TickRecord.h"
+#include "haptics/tick/TickRecord.h"
 
 namespace haptiv {
 

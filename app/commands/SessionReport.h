@@ -2,7 +2,7 @@
 
 #include "app/commands/Report.h"
 #include "app/session/Session.h"
-#include "haptics/TickRecord.h"
+#include "haptics/tick/TickRecord.h"
 
 namespace haptiv {
 

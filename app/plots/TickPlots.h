@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/plots/SignalPlot.h"
-#include "haptics/TickRecord.h"
+#include "haptics/tick/TickRecord.h"
 
 namespace haptiv {
 

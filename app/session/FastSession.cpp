@@ -3,7 +3,7 @@
 
 #include "app/session/Session.h"
 #include "app/session/SessionSeat.h"
-#include "haptics/FastLoop.h"
+#include "haptics/servo/FastLoop.h"
 
 namespace haptiv {
 namespace {

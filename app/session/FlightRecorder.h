@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/session/log/SessionLogWriter.h"
-#include "haptics/HapticScene.h"
-#include "haptics/TickRecord.h"
+#include "haptics/scene/HapticScene.h"
+#include "haptics/tick/TickRecord.h"
 
 namespace haptiv {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "app/session/log/TickColumns.h"
-#include "haptics/HapticTick.h"
+#include "haptics/tick/HapticTick.h"
 
 namespace haptiv {
 namespace {

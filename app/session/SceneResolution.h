@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "device/DeviceDescription.h"
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 
 /// How the redundancy is resolved crosses to the servo, and into the log, with the scene.
 namespace haptiv {

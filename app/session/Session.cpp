@@ -7,7 +7,7 @@
 #include "app/session/SessionRecorder.h"
 #include "app/session/SessionSeat.h"
 #include "app/session/UtcTime.h"
-#include "haptics/DeviceFrames.h"
+#include "haptics/scene/DeviceFrames.h"
 
 namespace haptiv {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "app/session/HandFile.h"
 #include "app/session/log/SessionLogWriter.h"
-#include "haptics/HapticScene.h"
-#include "haptics/ServoLoop.h"
+#include "haptics/scene/HapticScene.h"
+#include "haptics/servo/ServoLoop.h"
 
 namespace haptiv {
 

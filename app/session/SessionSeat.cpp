@@ -8,8 +8,8 @@
 #include "app/session/SceneResolution.h"
 #include "app/version.h"
 #include "device/simulated/ScriptedHand.h"
-#include "haptics/DeviceFrames.h"
-#include "haptics/SessionStart.h"
+#include "haptics/scene/DeviceFrames.h"
+#include "haptics/servo/SessionStart.h"
 
 namespace haptiv {
 void expectUsable(const SessionSetup& setup) {

@@ -9,7 +9,7 @@
 #include <array>
 
 #include "app/view/CoinValues.h"
-#include "haptics/DeviceFrames.h"
+#include "haptics/scene/DeviceFrames.h"
 
 namespace haptiv {
 namespace {

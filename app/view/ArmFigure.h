@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "device/kinematics/ArmKinematics.h"
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 #include "scenegraph/NodeRef.h"
 
 namespace haptiv {

@@ -10,7 +10,7 @@
 #include "app/view/ArmFigure.h"
 #include "app/view/CoinValues.h"
 #include "app/view/ForceArrow.h"
-#include "haptics/SessionStart.h"
+#include "haptics/servo/SessionStart.h"
 
 namespace haptiv {
 

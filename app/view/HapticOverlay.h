@@ -6,8 +6,8 @@
 
 #include "app/view/ellipsoids/DexterityFigure.h"
 #include "device/DeviceDescription.h"
-#include "haptics/HapticScene.h"
-#include "haptics/TickRecord.h"
+#include "haptics/scene/HapticScene.h"
+#include "haptics/tick/TickRecord.h"
 #include "scenegraph/NodeRef.h"
 
 namespace haptiv {

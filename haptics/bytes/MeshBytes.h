@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include "haptics/TriangleMesh.h"
 #include "haptics/bytes/ByteReader.h"
 #include "haptics/bytes/ByteWriter.h"
+#include "haptics/meshes/TriangleMesh.h"
 
 namespace haptiv {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 
 namespace haptiv {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "haptics/NearShapes.h"
 #include "haptics/contact/Proxy.h"
+#include "haptics/scene/NearShapes.h"
 
 namespace haptiv {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "haptics/FreeMotion.h"
 #include "haptics/contact/Proxy.h"
+#include "haptics/laws/FreeMotion.h"
 
 namespace haptiv {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "haptics/HapticScene.h"
 #include "haptics/meshes/TrianglePoint.h"
+#include "haptics/scene/HapticScene.h"
 
 namespace haptiv {
 

@@ -1,6 +1,6 @@
 #include "haptics/contact/WallsAround.h"
 
-#include "haptics/NearShapes.h"
+#include "haptics/scene/NearShapes.h"
 
 namespace haptiv {
 namespace {

@@ -1,7 +1,7 @@
 #include "haptics/control/ArmControl.h"
 
-#include "haptics/DeviceFrames.h"
-#include "haptics/FreeMotion.h"
+#include "haptics/laws/FreeMotion.h"
+#include "haptics/scene/DeviceFrames.h"
 
 namespace haptiv {
 ArmControl::ArmControl(const DeviceDescription& description, double period)

@@ -2,13 +2,13 @@
 
 #include <optional>
 
-#include "haptics/IfThenRenderer.h"
-#include "haptics/Measured.h"
 #include "haptics/control/ComputedTorque.h"
 #include "haptics/control/ControlState.h"
 #include "haptics/control/ImpedanceDisplay.h"
 #include "haptics/control/InverseKinematics.h"
+#include "haptics/laws/IfThenRenderer.h"
 #include "haptics/safety/Clamps.h"
+#include "haptics/tick/Measured.h"
 
 namespace haptiv {
 

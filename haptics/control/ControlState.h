@@ -1,7 +1,7 @@
 #pragma once
 
-#include "haptics/ResolutionBlend.h"
 #include "haptics/control/Admittance.h"
+#include "haptics/control/ResolutionBlend.h"
 #include "haptics/control/RotationalAdmittance.h"
 
 namespace haptiv {

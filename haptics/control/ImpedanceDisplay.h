@@ -4,7 +4,7 @@
 
 #include "device/DeviceDescription.h"
 #include "device/dynamics/ArmDynamics.h"
-#include "haptics/Measured.h"
+#include "haptics/tick/Measured.h"
 
 namespace haptiv {
 

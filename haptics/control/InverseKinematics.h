@@ -3,7 +3,7 @@
 #include "device/DeviceDescription.h"
 #include "device/kinematics/ArmKinematics.h"
 #include "device/redundancy/RedundancyResolution.h"
-#include "haptics/ResolutionBlend.h"
+#include "haptics/control/ResolutionBlend.h"
 
 namespace haptiv {
 

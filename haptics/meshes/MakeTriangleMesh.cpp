@@ -2,9 +2,9 @@
 #include <cmath>
 #include <utility>
 
-#include "haptics/TriangleMesh.h"
 #include "haptics/meshes/OrderTriangles.h"
 #include "haptics/meshes/Orientation.h"
+#include "haptics/meshes/TriangleMesh.h"
 #include "haptics/meshes/WeldVertices.h"
 
 namespace haptiv {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "haptics/TriangleMesh.h"
+#include "haptics/meshes/TriangleMesh.h"
 
 namespace haptiv {
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "haptics/control/Admittance.h"
-#include "haptics/Measured.h"
-#include "haptics/TickRecord.h"
 #include "haptics/contact/ContactSet.h"
+#include "haptics/control/Admittance.h"
 #include "haptics/passivity/PassivityObserver.h"
+#include "haptics/tick/Measured.h"
+#include "haptics/tick/TickRecord.h"
 
 namespace haptiv {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "haptics/Measured.h"
+#include "haptics/tick/Measured.h"
 
 namespace haptiv {
 

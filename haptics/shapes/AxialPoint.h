@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 
 namespace haptiv {
 

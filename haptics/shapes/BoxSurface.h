@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptics/ShapeDistance.h"
+#include "haptics/shapes/ShapeDistance.h"
 
 namespace haptiv {
 

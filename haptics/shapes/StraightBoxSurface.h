@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "haptics/ShapeDistance.h"
+#include "haptics/shapes/ShapeDistance.h"
 #include "haptics/shapes/StraightBox.h"
 
 namespace haptiv {

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 #include "scenegraph/compiling/ShapeOrigin.h"
 
 class SbMatrix;

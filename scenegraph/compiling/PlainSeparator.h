@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 
 class SoNode;
 class SoSeparator;

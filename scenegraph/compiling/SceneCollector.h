@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 #include "scenegraph/Diagnostic.h"
 #include "scenegraph/compiling/FeltShape.h"
 #include "scenegraph/compiling/FlatMap.h"

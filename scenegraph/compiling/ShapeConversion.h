@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 
 class SoNode;
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <unordered_map>
 
-#include "haptics/NearShapes.h"
-#include "haptics/SessionStart.h"
+#include "haptics/scene/NearShapes.h"
+#include "haptics/servo/SessionStart.h"
 #include "scenegraph/Keyword.h"
 #include "scenegraph/NumberText.h"
 #include "scenegraph/judging/Findings.h"

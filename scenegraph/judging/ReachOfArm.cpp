@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "haptics/DeviceFrames.h"
-#include "haptics/ShapeDistance.h"
+#include "haptics/scene/DeviceFrames.h"
+#include "haptics/shapes/ShapeDistance.h"
 
 namespace haptiv {
 

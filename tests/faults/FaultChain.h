@@ -6,7 +6,7 @@
 #include <string>
 
 #include "device/simulated/SimulatedDevice.h"
-#include "haptics/HapticTick.h"
+#include "haptics/tick/HapticTick.h"
 
 namespace haptiv::faults {
 

@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "app/session/SessionRecorder.h"
-#include "haptics/FastLoop.h"
-#include "haptics/ServoLoop.h"
+#include "haptics/servo/FastLoop.h"
+#include "haptics/servo/ServoLoop.h"
 #include "tests/faults/FaultChain.h"
 
 namespace haptiv::faults {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 
 namespace haptiv::testing {
 

@@ -5,7 +5,7 @@
 
 #include "device/simulated/ScriptedHand.h"
 #include "device/simulated/SimulatedDevice.h"
-#include "haptics/FastLoop.h"
+#include "haptics/servo/FastLoop.h"
 
 namespace haptiv {
 namespace {

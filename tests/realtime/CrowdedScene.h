@@ -1,7 +1,7 @@
 #pragma once
 
 #include "device/DeviceDescription.h"
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 #include "tests/haptics/RandomShapes.h"
 #include "tests/haptics/meshes/SampleMeshes.h"
 

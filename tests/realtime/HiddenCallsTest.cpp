@@ -7,8 +7,8 @@
 #include <memory>
 #include <mutex>
 
-#include "haptics/ServoLoop.h"
-#include "tests/haptics/ReadingOf.h"
+#include "haptics/servo/ServoLoop.h"
+#include "tests/haptics/tick/ReadingOf.h"
 #include "tests/realtime/CrowdedScene.h"
 #include "tests/realtime/ServoRun.h"
 

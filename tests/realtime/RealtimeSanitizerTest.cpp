@@ -9,8 +9,8 @@
 #include <mutex>
 
 #include "device/Nonblocking.h"
-#include "haptics/FastLoop.h"
-#include "tests/haptics/ReadingOf.h"
+#include "haptics/servo/FastLoop.h"
+#include "tests/haptics/tick/ReadingOf.h"
 #include "tests/realtime/CrowdedScene.h"
 #include "tests/realtime/ServoRun.h"
 

@@ -4,7 +4,7 @@
 
 #include "device/simulated/Hand.h"
 #include "device/simulated/SimulatedDevice.h"
-#include "haptics/ServoLoop.h"
+#include "haptics/servo/ServoLoop.h"
 
 namespace haptiv::testing {
 

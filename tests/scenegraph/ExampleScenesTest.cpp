@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 #include "scenegraph/judging/SceneJudge.h"
 #include "tests/scenegraph/SceneTesting.h"
 

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "app/session/SessionSeat.h"
-#include "haptics/ServeTick.h"
+#include "haptics/servo/ServeTick.h"
 #include "tests/session/SessionFixtures.h"
 #include "tests/support/Random.h"
 

@@ -1,6 +1,6 @@
 #include "app/bench/collision/FlatScan.h"
 
-#include "haptics/ShapeDistance.h"
+#include "haptics/shapes/ShapeDistance.h"
 
 namespace haptiv {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "haptics/HapticScene.h"
-#include "haptics/IfThenRenderer.h"
+#include "haptics/laws/IfThenRenderer.h"
+#include "haptics/scene/HapticScene.h"
 
 namespace haptiv {
 

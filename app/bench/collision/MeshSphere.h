@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "haptics/HapticScene.h"
-#include "haptics/IfThenRenderer.h"
+#include "haptics/laws/IfThenRenderer.h"
+#include "haptics/scene/HapticScene.h"
 
 namespace haptiv {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "app/bench/collision/Dice.h"
-#include "haptics/ShapeDistance.h"
+#include "haptics/shapes/ShapeDistance.h"
 
 namespace haptiv {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "device/simulated/ScriptedHand.h"
 #include "device/simulated/SimulatedDevice.h"
-#include "haptics/ServeTick.h"
+#include "haptics/servo/ServeTick.h"
 
 namespace haptiv {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptics/HapticTick.h"
+#include "haptics/tick/HapticTick.h"
 
 namespace haptiv {
 

@@ -11,7 +11,7 @@
 ///   /meta/end          complete and dropped (one row once the session has ended), reason (text; why it ended early)
 ///   /scenes/index      a row a scene: version, offset and length in /scenes/text, offset and length in /scenes/bytes
 ///   /scenes/text       .iv texts of all scenes, one after the other
-///   /scenes/bytes      the same scenes compiled (haptics/SceneBytes.h)
+///   /scenes/bytes      the same scenes compiled (haptics/bytes/SceneBytes.h)
 ///   /events            a row an event: tick, time, kind (index into the attribute kinds), code (a state: index into
 ///                      states; a fault or a trip: index into faults, trips). None in format 1
 ///   /servo/GROUP       a row a tick; attributes: columns, unit (of each column), frame

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "haptics/TickRecord.h"
+#include "haptics/tick/TickRecord.h"
 
 namespace haptiv {
 

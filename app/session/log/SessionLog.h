@@ -8,8 +8,8 @@
 
 #include "app/session/log/SessionEvents.h"
 #include "app/session/log/SessionLogWriter.h"
-#include "haptics/HapticScene.h"
-#include "haptics/TickRecord.h"
+#include "haptics/scene/HapticScene.h"
+#include "haptics/tick/TickRecord.h"
 
 namespace haptiv {
 

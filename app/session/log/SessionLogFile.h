@@ -9,7 +9,7 @@
 #include "app/session/log/SessionEvents.h"
 #include "app/session/log/SessionLogWriter.h"
 #include "app/session/log/TickColumns.h"
-#include "haptics/SceneBytes.h"
+#include "haptics/bytes/SceneBytes.h"
 
 namespace haptiv {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "app/session/log/LogLayout.h"
-#include "haptics/SceneBytes.h"
+#include "haptics/bytes/SceneBytes.h"
 
 namespace haptiv {
 namespace {

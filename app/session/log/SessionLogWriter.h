@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include "haptics/HapticScene.h"
-#include "haptics/TickRecord.h"
+#include "haptics/scene/HapticScene.h"
+#include "haptics/tick/TickRecord.h"
 
 namespace haptiv {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/session/log/Hdf5Table.h"
-#include "haptics/TickRecord.h"
+#include "haptics/tick/TickRecord.h"
 
 namespace haptiv {
 

@@ -4,7 +4,7 @@
 
 #include "app/view/ellipsoids/ManipulabilityEllipsoid.h"
 #include "device/kinematics/ArmKinematics.h"
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 
 namespace haptiv {
 

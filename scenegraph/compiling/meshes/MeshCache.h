@@ -3,7 +3,7 @@
 #include <memory>
 #include <unordered_map>
 
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 #include "scenegraph/compiling/meshes/MeshSource.h"
 
 namespace haptiv {

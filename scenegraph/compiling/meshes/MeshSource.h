@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "haptics/TriangleMesh.h"
+#include "haptics/meshes/TriangleMesh.h"
 
 class SoCallbackAction;
 class SoNode;

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "haptics/TriangleMesh.h"
+#include "haptics/meshes/TriangleMesh.h"
 
 namespace haptiv {
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "app/bench/collision/FlatScan.h"
-#include "haptics/ShapeDistance.h"
+#include "haptics/shapes/ShapeDistance.h"
 
 namespace haptiv {
 namespace {

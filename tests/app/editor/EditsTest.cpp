@@ -4,7 +4,7 @@
 #include <Inventor/nodes/SoCube.h>
 #include <gmock/gmock.h>
 
-#include "haptics/ShapeDistance.h"
+#include "haptics/shapes/ShapeDistance.h"
 #include "tests/app/editor/EditedScene.h"
 
 namespace haptiv {

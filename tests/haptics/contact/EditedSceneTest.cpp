@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "haptics/IfThenRenderer.h"
-#include "haptics/SceneFade.h"
-#include "haptics/ShapeDistance.h"
+#include "haptics/laws/IfThenRenderer.h"
+#include "haptics/scene/SceneFade.h"
+#include "haptics/shapes/ShapeDistance.h"
 #include "tests/haptics/RandomShapes.h"
 #include "tests/haptics/meshes/SampleMeshes.h"
 

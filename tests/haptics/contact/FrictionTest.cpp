@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "haptics/control/Admittance.h"
-#include "haptics/IfThenRenderer.h"
+#include "haptics/laws/IfThenRenderer.h"
 #include "tests/haptics/RandomShapes.h"
 #include "tests/haptics/meshes/SampleMeshes.h"
 

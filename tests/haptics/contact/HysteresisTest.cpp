@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "haptics/IfThenRenderer.h"
+#include "haptics/laws/IfThenRenderer.h"
 #include "tests/haptics/RandomShapes.h"
 #include "tests/haptics/meshes/SampleMeshes.h"
 

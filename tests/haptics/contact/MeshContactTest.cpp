@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/IfThenRenderer.h"
-#include "haptics/ShapeDistance.h"
+#include "haptics/laws/IfThenRenderer.h"
+#include "haptics/shapes/ShapeDistance.h"
 #include "tests/haptics/RandomShapes.h"
 #include "tests/haptics/meshes/SampleMeshes.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "device/control/ControlNames.h"
-#include "haptics/FastLoop.h"
+#include "haptics/servo/FastLoop.h"
 #include "tests/haptics/control/RigidArm.h"
 
 namespace haptiv {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "device/dynamics/ArmDynamics.h"
-#include "tests/haptics/ReadingOf.h"
+#include "tests/haptics/tick/ReadingOf.h"
 
 namespace haptiv::testing {
 

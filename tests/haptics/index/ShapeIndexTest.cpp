@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "haptics/NearShapes.h"
+#include "haptics/scene/NearShapes.h"
 #include "tests/haptics/RandomShapes.h"
 
 namespace haptiv {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "haptics/HapticScene.h"
+#include "haptics/scene/HapticScene.h"
 
 namespace haptiv::testing {
 

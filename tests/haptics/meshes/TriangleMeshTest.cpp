@@ -1,4 +1,4 @@
-#include "haptics/TriangleMesh.h"
+#include "haptics/meshes/TriangleMesh.h"
 
 #include <gtest/gtest.h>
 

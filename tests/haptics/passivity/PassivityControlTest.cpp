@@ -7,9 +7,9 @@
 
 #include "device/simulated/ScriptedHand.h"
 #include "device/simulated/SimulatedDevice.h"
-#include "haptics/FastLoop.h"
 #include "haptics/passivity/PassivityController.h"
 #include "haptics/passivity/PassivityObserver.h"
+#include "haptics/servo/FastLoop.h"
 #include "tests/haptics/RandomShapes.h"
 
 namespace haptiv {

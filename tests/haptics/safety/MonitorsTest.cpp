@@ -8,7 +8,7 @@
 
 #include "device/simulated/Noise.h"
 #include "haptics/safety/Clamps.h"
-#include "tests/haptics/HapticTickFixture.h"
+#include "tests/haptics/tick/HapticTickFixture.h"
 
 namespace haptiv {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "tests/haptics/HapticTickFixture.h"
+#include "tests/haptics/tick/HapticTickFixture.h"
 
 namespace haptiv {
 namespace {

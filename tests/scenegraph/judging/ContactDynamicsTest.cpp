@@ -6,7 +6,7 @@
 #include <random>
 
 #include "haptics/control/Admittance.h"
-#include "haptics/IfThenRenderer.h"
+#include "haptics/laws/IfThenRenderer.h"
 
 namespace haptiv {
 namespace {
