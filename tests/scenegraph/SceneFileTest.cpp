@@ -188,6 +188,37 @@ TEST(SceneSaver, ReplacesAFileAndKeepsItsPermissionsAndLinks) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 2);  // nothing is left beside them
 }
 
+constexpr const char* kPrototypes = R"(#VRML V2.0 utf8
+PROTO Box2 [ field SFVec3f size 1 1 1 ] { Shape { geometry Box { size IS size } } }
+PROTO Two [ field SFVec3f far 3 0 0 ] {
+  Group { children [ Box2 { size 0.1 0.2 0.3 } Transform { translation IS far children Box2 { } } ] }
+}
+HapticTool { home 0.35 0 0 }
+HapticSurface { label "felt" }
+Two { far 0 4 0 }
+)";
+
+TEST(SceneSaver, WritesOutWhatPrototypesMake) {
+  const testing::ScratchFolder folder;
+  const SceneFile scene = readSceneText(kPrototypes, "prototypes.wrl");
+  ASSERT_TRUE(scene.root) << textOf(scene.diagnostics);
+  for (int time = 0; time < 2; ++time) {  // and what is saved can be saved again
+    saveScene(scene.root.get(), folder.path() / "saved.iv");
+    const SceneFile saved = readScene(folder.path() / "saved.iv");
+    ASSERT_TRUE(saved.root) << textOf(saved.diagnostics);
+    EXPECT_FALSE(hasPrototypes(saved.root.get()));
+    const CompiledScene before = SceneCompiler().compile(scene.root.get());
+    const CompiledScene after = SceneCompiler().compile(saved.root.get());
+    ASSERT_TRUE(before.scene && after.scene);
+    ASSERT_EQ(after.scene->walls.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(after.scene->walls[i].shape.centre, before.scene->walls[i].shape.centre);
+      EXPECT_EQ(after.scene->walls[i].shape.axes, before.scene->walls[i].shape.axes);
+    }
+  }
+  EXPECT_TRUE(hasPrototypes(scene.root.get())) << "the scene that is open keeps them";
+}
+
 TEST(SceneSaver, LeavesTheFileAsItWasWhenItCannotBeWritten) {
   const ScratchFolder folder;
   const fs::path file = folder.path() / "scene.iv";
