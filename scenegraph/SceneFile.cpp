@@ -51,6 +51,7 @@ void initSceneGraph() {
   forbidNodeLibraries();
   SoDB::init();
   SoInteraction::init();
+  SoDB::enableRealTimeSensor(FALSE);  // what moved by itself would be seen where it is not felt
   silenceFileNodes();
   initHapticNodes();
   quietSceneCameras();

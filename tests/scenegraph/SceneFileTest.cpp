@@ -1,16 +1,21 @@
 #include "scenegraph/SceneFile.h"
 
+#include <Inventor/SoDB.h>
+#include <Inventor/VRMLnodes/SoVRMLTransform.h>
 #include <Inventor/manips/SoHandleBoxManip.h>
 #include <Inventor/nodes/SoCube.h>
 #include <Inventor/nodes/SoInfo.h>
 #include <Inventor/nodes/SoTranslation.h>
+#include <Inventor/sensors/SoSensorManager.h>
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <thread>
 
 #include "tests/scenegraph/SceneTesting.h"
 
@@ -99,6 +104,15 @@ TEST(SceneFile, RefusesWhatIsTooLongOrTooDeepForCoin) {
   std::string deep;
   for (int i = 0; i < 20000; ++i) deep += "Group {";
   EXPECT_THAT(errorsOf(kHeader + deep + std::string(20000, '}')), HasSubstr("deeper than 1000 levels"));
+}
+
+TEST(SceneFile, RefusesFacesThatCrowdOnePoint) {
+  std::string faces;
+  for (int i = 0; i < 40'000; ++i) faces += "0 1 2 -1\n";
+  const SceneFile crowded =
+      read("Coordinate3 { point [ 0 0 0, 1 0 0, 1 1 0 ] }\nIndexedFaceSet { coordIndex [ " + faces + " ] }");
+  EXPECT_FALSE(crowded.root);
+  EXPECT_THAT(textOf(crowded.diagnostics), HasSubstr("3: error: IndexedFaceSet: has 40000 corners on one point"));
 }
 
 TEST(SceneFile, RefusesADeepChainOfUses) {
@@ -197,6 +211,23 @@ HapticTool { home 0.35 0 0 }
 HapticSurface { label "felt" }
 Two { far 0 4 0 }
 )";
+
+TEST(SceneFile, StandsStillForWhatIsSeenMustBeFeltThere) {
+  const SceneFile scene = readSceneText(
+      "#VRML V2.0 utf8\nDEF C TimeSensor { loop TRUE cycleInterval 0.5 }\n"
+      "DEF W PositionInterpolator { key [ 0 1 ] keyValue [ 0 0 0, 1 0 0 ] }\nDEF M Transform { children Shape { } }\n"
+      "ROUTE C.fraction_changed TO W.set_fraction\nROUTE W.value_changed TO M.set_translation\n",
+      "moving.wrl");
+  ASSERT_TRUE(scene.root) << textOf(scene.diagnostics);
+  const auto* moved = static_cast<SoVRMLTransform*>(SoNode::getByName("M"));
+  const SbVec3f before = moved->translation.getValue();
+  for (int i = 0; i < 3; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    SoDB::getSensorManager()->processTimerQueue();
+    SoDB::getSensorManager()->processDelayQueue(TRUE);
+    EXPECT_EQ(moved->translation.getValue(), before);
+  }
+}
 
 TEST(SceneSaver, WritesOutWhatPrototypesMake) {
   const testing::ScratchFolder folder;
