@@ -1,22 +1,11 @@
 #pragma once
 
 #include "device/calibration/Samples.h"
+#include "device/simulated/LoadedHandle.h"
 #include "device/simulated/Miscalibration.h"
 #include "device/simulated/SimulatedDevice.h"
 
 namespace haptiv::test {
-
-/// Hangs a load on the handle, or nothing, and holds it still.
-class LoadingHand : public HandSource {
- public:
-  HandTarget at(double) noexcept override {
-    HandTarget target;
-    target.inputs = 0;
-    target.load = load;
-    return target;
-  }
-  Wrench load;
-};
 
 /// A simulated arm that is not as its description says, standing in its reference pose.
 struct CalibrationBench {
@@ -33,13 +22,13 @@ struct CalibrationBench {
     return samples;
   }
   void hang(const Vector6& load) {
-    hand->load = {load.head<3>(), load.tail<3>()};
+    hand->hang(load);
     sampled(50);
   }
 
   DeviceDescription known = loadDeviceDescription("vishard10"), built;
-  std::unique_ptr<LoadingHand> source = std::make_unique<LoadingHand>();
-  LoadingHand* hand = source.get();
+  std::unique_ptr<LoadedHandle> source = std::make_unique<LoadedHandle>();
+  LoadedHandle* hand = source.get();
   SimulatedDevice device;
 };
 

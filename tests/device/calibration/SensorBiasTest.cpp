@@ -48,7 +48,7 @@ TEST(SensorBias, ThatIsTakenOutLeavesNoForceOfAnUntouchedHandle) {
 TEST(SensorBias, IsRefusedWhileAHandTouchesTheHandle) {
   test::CalibrationBench bench;
   const Samples first = bench.sampled(500);
-  bench.hand->load.force = Vector3(0, 0, 0.5);
+  bench.hand->hang(0.5 * Vector6::Unit(2));
   EXPECT_THAT(whyRefused(first, bench.sampled(500), bench.known), HasSubstr("force z drifted"));
 }
 
@@ -56,7 +56,7 @@ TEST(SensorBias, IsRefusedWhileTheHandleSwings) {
   test::CalibrationBench bench;
   Samples first, second;
   for (int i = 0; i < 1000; ++i) {
-    bench.hand->load.torque = Vector3(0.05 * std::sin(0.1 * i), 0, 0);
+    bench.hand->hang(0.05 * std::sin(0.1 * i) * Vector6::Unit(3));
     bench.device.write({});
     (i % 2 == 0 ? first : second).take(bench.device.read());
   }
