@@ -59,8 +59,12 @@ void UsbStream::recover() noexcept {
     if (!handle_.clearHalt(endpoints_.out)) lost_ = true;
   }
   if (!inStalled_) return;
-  for (const Slot& slot : in_)
-    if (slot->inFlight()) return;  // they come back stalled too
+  bool anyLeft = false;  // a halted endpoint keeps the others back
+  for (const Slot& slot : in_) {
+    anyLeft = anyLeft || slot->inFlight();
+    slot->cancel();
+  }
+  if (anyLeft) return;
   inStalled_ = false;
   if (!handle_.clearHalt(endpoints_.in)) lost_ = true;
   if (!lost_) start();
