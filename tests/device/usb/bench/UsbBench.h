@@ -1,15 +1,16 @@
 #pragma once
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/device/usb/bench/VirtualBoard.h"
 #include "device/usb/UsbDevice.h"
+#include "tests/device/usb/bench/VirtualBoard.h"
 #include "tests/support/usb/VirtualBus.h"
 
 namespace haptiv::test {
 
-/// A board on a virtual bus, its operator, and a host that ticks at 1 kHz by a clock of the test's own. Whatever befalls
-/// the wire, at the end no unsafe set-point has reached the drives.
+/// A board on a virtual bus, its operator, and a host that ticks at 1 kHz by a clock of the test's own. Whatever
+/// befalls the wire, at the end no unsafe set-point has reached the drives.
 class UsbBench : public testing::Test {
  protected:
   ~UsbBench() override { EXPECT_EQ(board->unsafe, 0); }
