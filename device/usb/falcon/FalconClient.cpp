@@ -1,0 +1,82 @@
+#include "device/usb/falcon/FalconClient.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "device/usb/falcon/FalconBoot.h"
+#include "device/usb/falcon/FalconPort.h"
+
+namespace haptiv::falcon {
+namespace {
+
+constexpr std::int64_t kPatience = 5'000'000;  // [ns] between two orders
+
+std::int64_t now() noexcept {
+  return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
+}
+
+}  // namespace
+
+Client::Client(const DeviceDescription& description, Firmware firmware)
+    : logic_(description),
+      firmware_(std::move(firmware)),
+      watchdogTime_(static_cast<std::int64_t>(1e9 * std::min(description.safety.watchdogTime, 1.))) {}
+
+usb::StreamEndpoints Client::prepare(usb::UsbHandle& handle) {
+  Port port(handle);
+  boot(port, firmware_);
+  stream_.restart();
+  last_.state = {};
+  last_.homing = Homing::searching;
+  answered_ = true;
+  sentAt_ = 0;
+  there_ = true;
+  return {usb::TransferKind::bulk, kInEndpoint, Stream::kUsbPacket, kOutEndpoint, Stream::kUsbPacket};
+}
+
+void Client::received(std::span<const std::uint8_t> packet) noexcept {
+  const auto state = stream_.take(packet);
+  damaged_ = stream_.damaged();
+  if (!state) return;
+  ++states_;
+  last_ = {*state, next(last_.homing, state->homed), states_};
+  answered_ = true;
+  seen_.write(last_);
+}
+
+std::size_t Client::send(std::span<std::uint8_t> packet) noexcept {
+  const std::int64_t time = now();
+  const bool isDue = time - sentAt_ >= kPatience;
+  if (!answered_ && !isDue) return 0;
+  if (!given_.update()) {
+    if (!isDue) return 0;
+    ++unasked_;
+  }
+  const Given& given = given_.read();
+  const bool isFresh = time - given.writtenAt <= watchdogTime_;
+  const Order order = logic_.order(isFresh ? given.command : DeviceCommand{}, last_.state, last_.homing);
+  const Packet bytes = encode(order);
+  std::copy(bytes.begin(), bytes.end(), packet.begin());
+  answered_ = false;
+  sentAt_ = time;
+  ++sent_;
+  still_ = order.motors == Order{}.motors;
+  return bytes.size();
+}
+
+void Client::lost() noexcept {
+  there_ = false;
+  ++losses_;
+}
+
+bool Client::newest(Seen& seen) noexcept {
+  if (!seen_.update()) return false;
+  seen = seen_.read();
+  return true;
+}
+
+void Client::write(const DeviceCommand& command) noexcept {
+  given_.write({command, now()});
+}
+
+}  // namespace haptiv::falcon
