@@ -13,7 +13,7 @@ constexpr double kLongestStep = 0.1;  // [s]; a program that was away for longer
 
 /// -1 to 1; zero within the dead band, and without a step at its edge.
 double share(std::int16_t counts) {
-  const double beyond = std::abs(double{counts}) - SpaceMouseHand::kDeadBand;
+  const double beyond = std::abs(static_cast<double>(counts)) - SpaceMouseHand::kDeadBand;
   return std::copysign(std::clamp(beyond / (SpaceMouseHand::kFull - SpaceMouseHand::kDeadBand), 0., 1.), counts);
 }
 

@@ -25,7 +25,9 @@ void readType(const TomlValues& toml, const toml::table& root, DeviceDescription
   const toml::node* type = root.get("type");
   if (type == nullptr || toml.choice(*type, "type", {"admittance", "impedance"}) == 0) return;
   d.type = DeviceType::impedance;
-  d.control.choice.display = DisplayMode::impedance;  // where [control] does not say so
+  // Where [control] and [sensor] do not say otherwise: counts that are always zero have no noise.
+  d.control.choice.display = DisplayMode::impedance;
+  d.sensor.forceNoise = d.sensor.torqueNoise = 0;
 }
 
 void readArm(const TomlValues& toml, const toml::table& root, DeviceDescription& d) {

@@ -15,7 +15,7 @@ using Mode = SpaceMouseHand::Mode;
 constexpr std::int64_t kStep = 10'000'000;  // [ns]
 
 /// A hand at a SpaceMouse, and a ball that goes where the hand wants it, or is held where it is.
-class SpaceMouseHandTest : public testing::Test {
+class SpaceMouseHandTest : public ::testing::Test {
  protected:
   SpaceMouseHand::Wish run(double seconds) {
     SpaceMouseHand::Wish wish;
