@@ -9,8 +9,6 @@
 namespace haptiv::falcon {
 namespace {
 
-constexpr std::int64_t kPatience = 5'000'000;  // [ns] between two orders
-
 std::int64_t now() noexcept {
   return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
 }
@@ -29,7 +27,7 @@ usb::StreamEndpoints Client::prepare(usb::UsbHandle& handle) {
   last_.state = {};
   last_.homing = Homing::searching;
   answered_ = true;
-  sentAt_ = 0;
+  silent_ = kPatience;
   there_ = true;
   return {usb::TransferKind::bulk, kInEndpoint, Stream::kUsbPacket, kOutEndpoint, Stream::kUsbPacket};
 }
@@ -37,7 +35,10 @@ usb::StreamEndpoints Client::prepare(usb::UsbHandle& handle) {
 void Client::received(std::span<const std::uint8_t> packet) noexcept {
   const auto state = stream_.take(packet);
   damaged_ = stream_.damaged();
-  if (!state) return;
+  if (!state) {
+    ++silent_;
+    return;
+  }
   ++states_;
   last_ = {*state, next(last_.homing, state->homed), states_};
   answered_ = true;
@@ -45,20 +46,19 @@ void Client::received(std::span<const std::uint8_t> packet) noexcept {
 }
 
 std::size_t Client::send(std::span<std::uint8_t> packet) noexcept {
-  const std::int64_t time = now();
-  const bool isDue = time - sentAt_ >= kPatience;
+  const bool isDue = silent_ >= kPatience;
   if (!answered_ && !isDue) return 0;
   if (!given_.update()) {
     if (!isDue) return 0;
     ++unasked_;
   }
   const Given& given = given_.read();
-  const bool isFresh = time - given.writtenAt <= watchdogTime_;
+  const bool isFresh = now() - given.writtenAt <= watchdogTime_;
   const Order order = logic_.order(isFresh ? given.command : DeviceCommand{}, last_.state, last_.homing);
   const Packet bytes = encode(order);
   std::copy(bytes.begin(), bytes.end(), packet.begin());
   answered_ = false;
-  sentAt_ = time;
+  silent_ = 0;
   ++sent_;
   still_ = order.motors == Order{}.motors;
   return bytes.size();

@@ -23,16 +23,18 @@ struct Figures {
   std::uint64_t states = 0;   ///< whole
   std::uint64_t damaged = 0;  ///< dropped
   std::uint64_t sent = 0;     ///< orders
-  std::uint64_t unasked = 0;  ///< of them because 5 ms had passed
+  std::uint64_t unasked = 0;  ///< of them because nothing else had happened
   std::uint64_t errors = 0;   ///< that the bus found
   std::uint64_t losses = 0;   ///< times that the device left
 };
 
 /// The host's end of a Falcon: sets it up, and speaks with it by turns: its firmware answers each order by a state, a
 /// thousand times a second at most. An order goes out when the servo has written and the one before has been answered;
-/// and where neither happens for 5 ms, all the same.
+/// and where neither happens, all the same after kPatience of the packets without a state, which the serial chip sends
+/// once a millisecond.
 class Client : public usb::UsbClient {
  public:
+  static constexpr int kPatience = 5;                           ///< packets
   using Firmware = std::function<std::vector<std::uint8_t>()>;  ///< may throw
 
   Client(const DeviceDescription& description, Firmware firmware);
@@ -69,8 +71,8 @@ class Client : public usb::UsbClient {
   // The link's.
   Stream stream_;
   Seen last_;
-  bool answered_ = true;     // the last order
-  std::int64_t sentAt_ = 0;  // [ns]
+  bool answered_ = true;    // the last order
+  int silent_ = kPatience;  // packets without a state since then
 
   std::atomic<bool> there_ = false, still_ = true;
   std::atomic<std::uint64_t> states_ = 0, damaged_ = 0, sent_ = 0, unasked_ = 0, errors_ = 0, losses_ = 0;

@@ -77,13 +77,13 @@ class BenchedFalcon : public HapticDevice {
     if (!running_) plug();
     if (!device_) device_ = std::make_unique<FalconDevice>(description_, choice());
     whileTheBusRuns([&] { device_->start(period); });
-    falcon().setButtons(Logic::kDeadManButton);
     bus_.tick(3);
     running_ = true;
   }
   DeviceReading read() noexcept override { return device_ ? device_->read() : DeviceReading{}; }
   void write(const DeviceCommand& command) noexcept override {
     if (!running_) return;
+    falcon().setButtons(buttons);
     device_->read();
     device_->write(command);
     bus_.tick();
@@ -91,6 +91,7 @@ class BenchedFalcon : public HapticDevice {
   void stop() override {
     if (!running_) return;
     whileTheBusRuns([&] { device_->stop(); });
+    falcon().setButtons(0);
     running_ = false;
   }
 
@@ -107,6 +108,7 @@ class BenchedFalcon : public HapticDevice {
   haptiv::test::VirtualPort& port() { return *port_; }
   haptiv::test::VirtualBus& bus() { return bus_; }
 
+  std::uint8_t buttons = Logic::kDeadManButton;
   std::function<void(VirtualFalcon&)> beforePlugging;  ///< to make it another one
   std::function<void(const std::string&)> tell;        ///< gets what the operator is told
   std::chrono::seconds homingTime{30};

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::uint16_t kDtrHigh = 0x0101, kDtrLow = 0x0100;
 constexpr int kStepsOfMillisecond = 8;
+const HandTarget kPulledOut{true, Vector3(0, 0, 0.2)};
 
 unsigned baudOf(FtdiValue value) {
   return value.value | unsigned{value.index} << 16;
@@ -109,7 +110,8 @@ void VirtualFalcon::follow(const Order& order) {
     largestMotor_ = std::max(largestMotor_, static_cast<std::int16_t>(std::abs(order.motors[i])));
     demand.setPoints[static_cast<Eigen::Index>(i)] = order.motors[i] / description_.falcon.torqueCounts;
   }
-  for (int i = 0; i < kStepsOfMillisecond; ++i) arm_.advance(demand, hand_, 1e-3 / kStepsOfMillisecond);
+  const HandTarget hand = faults_.operatorHomes && homed_ != kAllHomed ? kPulledOut : hand_;
+  for (int i = 0; i < kStepsOfMillisecond; ++i) arm_.advance(demand, hand, 1e-3 / kStepsOfMillisecond);
   for (int i = 0; i < 3 && order.homing; ++i) {
     if (faults_.homesByItself || arm_.angles()[i] > kHomingAngle) homed_ |= static_cast<std::uint8_t>(1u << i);
   }

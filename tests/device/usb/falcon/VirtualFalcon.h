@@ -25,6 +25,7 @@ class VirtualFalcon {
     std::ptrdiff_t echoWrongAt = -1;  ///< this byte of the firmware comes back changed
     bool firmwareDead = false;        ///< it does not answer
     bool homesByItself = true;        ///< false: only once each leg has been beyond kHomingAngle
+    bool operatorHomes = false;       ///< pulls the grip out for that, and then lets go of it
     std::uint8_t unhomed = 0;         ///< bit i: leg i loses its zero
     int answersLost = 0;              ///< so many answers to orders are lost
     int answersDamaged = 0;           ///< so many have a wrong byte
