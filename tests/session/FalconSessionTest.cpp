@@ -10,19 +10,19 @@ namespace {
 using ::testing::HasSubstr;
 using namespace haptiv::testing;
 
-constexpr double kTouch = -0.01;  // of the ball's centre, along x [m]
+constexpr double kTouch = -0.01;  // of the ball's centre, along y [m]
 
-/// A wall of 600 N/m before the operator, as in scenes/falcon-wall.iv: the device's z points back at him, along -x.
+/// A wall of 600 N/m before the operator, as in scenes/falcon-wall.iv: the device's z points back at him, along -y.
 HapticScene falconWall() {
   HapticScene scene;
   scene.device.description = "falcon";
-  scene.device.position = Vector3(0.09, 0, 0);
-  scene.device.rotation << 0, 0, -1, -1, 0, 0, 0, 1, 0;
-  scene.tool.home = Vector3(-0.03, 0, 0);
+  scene.device.position = Vector3(0, 0.09, 0);
+  scene.device.rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  scene.tool.home = Vector3(0, -0.03, 0);
   scene.tool.damping = 1;
   Wall wall;
-  wall.shape.centre = Vector3(0.04, 0, 0);
-  wall.shape.axes = Vector3(0.04, 0.06, 0.06).asDiagonal();
+  wall.shape.centre = Vector3(0, 0.04, 0);
+  wall.shape.axes = Vector3(0.06, 0.04, 0.06).asDiagonal();
   wall.surface.stiffness = 600;
   wall.surface.damping = 4;
   scene.walls.push_back(wall);
@@ -31,7 +31,7 @@ HapticScene falconWall() {
 }
 
 SessionSetup falconSetup(double target) {
-  SessionSetup setup = setupFor(falconWall(), {{0, Vector3(-0.03, 0, 0)}, {0.5, Vector3(target, 0.005, -0.005)}});
+  SessionSetup setup = setupFor(falconWall(), {{0, Vector3(0, -0.03, 0)}, {0.5, Vector3(0.005, target, -0.005)}});
   setup.description = loadDeviceDescription("falcon");
   return setup;
 }
@@ -52,8 +52,8 @@ TEST_F(FalconSession, ThreeNewtonsRestFiveMillimetresDeepInAWall) {
   for (const TickRecord& tick : lastTicks(falconSetup(target))) {
     ASSERT_EQ(tick.faults, kNoFault);
     // The legs' dry friction of 0.004 N m carries up to 0.2 N of it, and stays.
-    EXPECT_NEAR(-tick.environmentForce.x(), kForce, 0.3);
-    EXPECT_NEAR(tick.position.x() - kTouch, kForce / 600, 0.3 / 600);
+    EXPECT_NEAR(-tick.environmentForce.y(), kForce, 0.3);
+    EXPECT_NEAR(tick.position.y() - kTouch, kForce / 600, 0.3 / 600);
     EXPECT_EQ(tick.handForce, Vector3(Vector3::Zero())) << "it has no sensor";
     EXPECT_EQ(tick.command.mode, DriveMode::torque);
     EXPECT_TRUE(tick.command.jointTorques.tail<7>().isZero(0)) << "three joints";
@@ -88,7 +88,7 @@ TEST_F(FalconSession, CanShowForcesAndNothingElse) {
 TEST_F(FalconSession, SaysHowFarItReaches) {
   SessionSetup setup = falconSetup(0);
   HapticScene scene = *setup.scene;
-  scene.tool.home = Vector3(-0.2, 0, 0);
+  scene.tool.home = Vector3(0, -0.2, 0);
   setup.scene = std::make_shared<const HapticScene>(scene);
   EXPECT_THAT(messageOf([&] { runFast(setup, 1); }), HasSubstr("out of the arm's reach"));
 }
