@@ -16,10 +16,16 @@ if(HAPTIV_SANITIZE)
   target_link_options(haptiv_options INTERFACE -fsanitize=${HAPTIV_SANITIZE})
 endif()
 
-# haptiv_unity(TARGET): its sources are compiled eight at a time, as most of a compiler's time goes to the headers they
-# share. What stands in an anonymous namespace is then seen by the next file too.
+# haptiv_unity(TARGET): its sources are compiled a folder at a time, as most of a compiler's time goes to the headers they
+# share. What stands in an anonymous namespace is then seen by its neighbours in the folder too.
 function(haptiv_unity target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH folder)
+    string(MAKE_C_IDENTIFIER "${target}/${folder}" group)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 

@@ -1,5 +1,6 @@
 #include "device/DeviceDescription.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -34,6 +35,17 @@ std::string readWhole(const std::string& path) {
   return text;
 }
 
+/// A scene of somebody else's is not to have its user's files read.
+void requireWithinFolderOf(const std::string& scene, const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(scene).parent_path(), error);
+  const fs::path target = fs::weakly_canonical(fs::absolute(path), error);
+  if (error || std::mismatch(folder.begin(), folder.end(), target.begin(), target.end()).first != folder.end())
+    throw std::runtime_error(path + ": is outside of the folder of the scene that names it, " + scene +
+                             "; copy it there, or use a built-in name: " + builtInNames());
+}
+
 }  // namespace
 
 JointVector JointDrives::countsPerRadian() const {
@@ -56,6 +68,7 @@ DeviceDescription loadDeviceDescription(const std::string& nameOrPath, const std
     if (builtIn.name == nameOrPath) return parseDeviceDescription(builtIn.text, nameOrPath);
   }
   const std::string path = (std::filesystem::path(namedIn).parent_path() / nameOrPath).string();
+  if (!namedIn.empty()) requireWithinFolderOf(namedIn, path);
   return parseDeviceDescription(readWhole(path), path);
 }
 

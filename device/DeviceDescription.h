@@ -148,7 +148,7 @@ struct DeviceDescription {
 DeviceDescription parseDeviceDescription(std::string_view toml, const std::string& sourceName);
 
 /// Finds a description: one of the built-in names ("vishard10"), or a path to a TOML file; a relative one is
-/// relative to the folder of `namedIn`, the scene file that names it, or to the working directory where that is empty.
+/// relative to the folder of `namedIn`, the scene that names it and in whose folder it must be (empty: any folder).
 /// Throws std::runtime_error that lists the built-in names when there is none.
 DeviceDescription loadDeviceDescription(const std::string& nameOrPath, const std::string& namedIn = {});
 

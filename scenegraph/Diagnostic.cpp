@@ -1,6 +1,7 @@
 #include "scenegraph/Diagnostic.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace haptiv {
 
@@ -10,6 +11,12 @@ void locate(Diagnostics& diagnostics, const std::unordered_map<const SoNode*, in
     const auto line = lineOf.find(diagnostic.source);
     if (line != lineOf.end()) diagnostic.line = line->second;
   }
+}
+
+void sortByPlace(Diagnostics& diagnostics) {
+  std::ranges::stable_sort(diagnostics, [](const Diagnostic& a, const Diagnostic& b) {
+    return std::tie(a.severity, a.file, a.line) < std::tie(b.severity, b.file, b.line);
+  });
 }
 
 bool hasErrors(const Diagnostics& diagnostics) {

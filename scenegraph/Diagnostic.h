@@ -22,6 +22,8 @@ using Diagnostics = std::vector<Diagnostic>;
 
 /// Fills in the file, and the lines of the nodes that have one.
 void locate(Diagnostics& diagnostics, const std::unordered_map<const SoNode*, int>& lineOf, const std::string& file);
+/// Errors first, each by file and line; what has no line stands before what has.
+void sortByPlace(Diagnostics& diagnostics);
 bool hasErrors(const Diagnostics& diagnostics);
 /// "FILE:LINE: error: NODE: MESSAGE"
 std::string toText(const Diagnostic& diagnostic);

@@ -23,9 +23,9 @@ SceneFile refused(const std::string& name, std::string why) {
   return scene;
 }
 
-SceneFile readContents(SceneBytes contents, const std::string& name) {
+SceneFile readContents(SceneBytes contents, const std::string& name, const DecodePicture& decode = {}) {
   if (!contents.fault.empty()) return refused(name, std::move(contents.fault));
-  return SceneReader(fs::path(name).parent_path()).read(std::move(contents.bytes), name);
+  return SceneReader(fs::path(name).parent_path(), decode).read(std::move(contents.bytes), name);
 }
 
 /// What else may go wrong is out of memory, mostly.
@@ -51,14 +51,15 @@ void initSceneGraph() {
   forbidNodeLibraries();
   SoDB::init();
   SoInteraction::init();
+  SoDB::enableRealTimeSensor(FALSE);  // what moved by itself would be seen where it is not felt
   silenceFileNodes();
   initHapticNodes();
   quietSceneCameras();
 }
 
-SceneFile readScene(const fs::path& path) {
+SceneFile readScene(const fs::path& path, const DecodePicture& decode) {
   const std::string name = path.string();
-  return orRefused(name, [&] { return readContents(readSceneBytes(path), name); });
+  return orRefused(name, [&] { return readContents(readSceneBytes(path), name, decode); });
 }
 
 SceneFile readSceneText(std::string_view text, const std::string& name) {

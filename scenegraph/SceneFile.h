@@ -7,6 +7,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "scenegraph/DecodePicture.h"
 #include "scenegraph/Diagnostic.h"
 #include "scenegraph/NodeRef.h"
 
@@ -30,11 +31,13 @@ void locate(Diagnostic& diagnostic, const SceneFile& scene);
 void initSceneGraph();
 
 /// Reads a scene; the file may be hostile. Never throws; what is wrong stands in the diagnostics.
-SceneFile readScene(const std::filesystem::path& path);
+/// @param decode  for textures; empty: Coin reads them, where it can
+SceneFile readScene(const std::filesystem::path& path, const DecodePicture& decode = {});
 /// The same from memory. `name` stands for the path in diagnostics.
 SceneFile readSceneText(std::string_view text, const std::string& name);
 
-/// Whether the graph holds PROTOs or what they made. Its text can be read again, but what is written after that cannot.
+/// Whether the graph holds PROTOs or what they made. Its text can be read again, but what is written after that cannot:
+/// saveScene writes out what they made.
 bool hasPrototypes(SoNode* root);
 
 /// The graph as Inventor text (VRML97, where it has prototypes), readable by readSceneText. Throws std::runtime_error
@@ -42,7 +45,7 @@ bool hasPrototypes(SoNode* root);
 std::string writeSceneText(SoNode* root);
 
 /// Writes the graph to a file: wholly or not at all. Throws std::runtime_error that says why.
-void saveScene(SoNode* root, const std::filesystem::path& path);
+void saveScene(SoSeparator* root, const std::filesystem::path& path);
 /// The same of any text.
 void saveText(std::string_view text, const std::filesystem::path& path);
 

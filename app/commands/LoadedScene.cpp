@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "app/commands/ExitCode.h"
+#include "app/view/PictureDecoder.h"
 #include "scenegraph/MakeSolid.h"
 #include "scenegraph/judging/SceneJudge.h"
 
@@ -68,7 +69,7 @@ void judge(LoadedScene& loaded, double rate) {
 LoadedScene loadScene(const std::string& path, const LoadOptions& options) {
   requireReadable(path);
   LoadedScene loaded;
-  loaded.file = readScene(path);
+  loaded.file = readScene(path, pictureDecoder());
   if (loaded.file.root && options.solid) makeSolid(loaded.file);
   loaded.diagnostics = loaded.file.diagnostics;
   if (!loaded.file.root) return loaded;
@@ -78,6 +79,7 @@ LoadedScene loadScene(const std::string& path, const LoadOptions& options) {
   const Diagnostics& found = loaded.compiled.diagnostics;
   loaded.diagnostics.insert(loaded.diagnostics.end(), found.begin(), found.end());
   if (loaded.compiled.scene) judge(loaded, options.rate);
+  sortByPlace(loaded.diagnostics);
   return loaded;
 }
 

@@ -8,16 +8,17 @@
 #include <stdexcept>
 
 #include "app/editor/Selection.h"
+#include "app/view/PictureDecoder.h"
 #include "scenegraph/judging/SceneJudge.h"
 
 namespace haptiv {
 namespace {
 
-// The device stands so that the scene's origin is in the middle of the arm's reach.
+// The device stands so that the arm has room around the scene's origin and is far from singular there.
 constexpr char kEmptyScene[] =
     "#Inventor V2.1 ascii\n\n"
     "Separator {\n"
-    "  HapticDevice { fields [ SFVec3f position ] position -0.6 0 0 }\n"
+    "  HapticDevice { fields [ SFVec3f position ] position -0.4 0 0 }\n"
     "  HapticTool { fields [ SFVec3f home ] home 0 0 0.02 }\n"
     "}\n";
 
@@ -30,6 +31,7 @@ struct SceneDocument::Parts {
   Diagnostics diagnostics;
   DeviceDescription device;  ///< on which the scene is judged ...
   std::string deviceName;    ///< ... under this name or path
+  double rate = 1000;        ///< ... at so many ticks a second [Hz]
   Selection selection;
   QUndoStack undoStack;
   bool isChanged = false;    ///< sceneChanged is still to be emitted
@@ -48,6 +50,7 @@ struct SceneDocument::Parts {
     diagnostics = file.diagnostics;
     diagnostics.insert(diagnostics.end(), compiled.diagnostics.begin(), compiled.diagnostics.end());
     diagnostics.insert(diagnostics.end(), judgement.begin(), judgement.end());
+    sortByPlace(diagnostics);
     isToCompile = false;
   }
 
@@ -56,10 +59,10 @@ struct SceneDocument::Parts {
     Diagnostics found;
     try {
       if (deviceName != next.scene->device.description) {
-        device = loadDeviceDescription(next.scene->device.description);
+        device = loadDeviceDescription(next.scene->device.description, file.path);
         deviceName = next.scene->device.description;
       }
-      found = judgeScene({*next.scene, next.origins, device});
+      found = judgeScene({*next.scene, next.origins, device, rate});
     } catch (const std::exception& error) {
       found.push_back({Diagnostic::Severity::error, {}, 0, "HapticDevice", error.what(), next.origins.device});
     }
@@ -82,11 +85,19 @@ SceneDocument::~SceneDocument() {
 }
 
 bool SceneDocument::open(const QString& path) {
-  SceneFile file = readScene(path.toStdString());
+  SceneFile file = readScene(path.toStdString(), pictureDecoder());
   if (!file.root || hasErrors(file.diagnostics)) {
     parts_->diagnostics = std::move(file.diagnostics);
     emit diagnosticsChanged();
     return false;
+  }
+  if (hasPrototypes(file.root.get())) {
+    file.diagnostics.push_back({Diagnostic::Severity::warning,
+                                file.path,
+                                0,
+                                {},
+                                "it holds prototypes (PROTO): saving writes out the nodes that they make",
+                                nullptr});
   }
   replaceBy(std::move(file));
   return true;
@@ -121,10 +132,16 @@ void SceneDocument::save(const QString& path) {
   releaseHandles();
   saveScene(parts_->file.root.get(), path.toStdString());
   parts_->file.path = path.toStdString();
+  parts_->deviceName.clear();   // names of files are relative to the scene's folder
   parts_->file.lineOf.clear();  // the saved text has lines of its own
   const bool wasClean = parts_->undoStack.isClean();
   parts_->undoStack.setClean();
   if (wasClean) emit modifiedChanged(false);  // the path may be another one
+}
+
+void SceneDocument::judgeAt(double rate) {
+  parts_->rate = rate;
+  noteChange();
 }
 
 QString SceneDocument::path() const {

@@ -27,6 +27,9 @@ class SceneDocument : public QObject {
   /// Throws std::runtime_error that says why the file could not be written.
   void save(const QString& path);
 
+  /// Judges the scene, from now on, for sessions of so many ticks a second [Hz].
+  void judgeAt(double rate);
+
   QString path() const;
   bool isModified() const;
   SoSeparator* root() const;

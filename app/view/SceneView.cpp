@@ -27,6 +27,7 @@ namespace {
 
 constexpr int kSamples = 4;
 constexpr double kPickPixels = 2;
+constexpr double kRoom = 15;  // in radii, around a ball that is alone: for what is to be added
 constexpr double kArmTransparency = 0.25;
 constexpr double kArmTransparencyFromAbove = 0.85;  // there it lies over all else
 
@@ -202,7 +203,8 @@ void SceneView::viewAll() {
   SoGetBoundingBoxAction bounds(parts_->region());
   bounds.apply(parts_->scene);
   const Vector3 ball = parts_->overlay.ballPosition();
-  const Vector3 radius = Vector3::Constant(parts_->overlay.ballRadius());
+  const double room = bounds.getBoundingBox().isEmpty() ? kRoom : 1;
+  const Vector3 radius = Vector3::Constant(room * parts_->overlay.ballRadius());
   parts_->camera.fit({bounds.getBoundingBox(), SbBox3f(toCoin(ball - radius), toCoin(ball + radius))},
                      static_cast<double>(parts_->size().width()) / parts_->size().height());
 }

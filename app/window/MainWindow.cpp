@@ -54,6 +54,12 @@ void MainWindow::connectParts() {
     if (hasErrors(parts_->document->diagnostics())) parts_->problemsDock->raise();
   });
 
+  const auto countProblems = [this] {
+    const std::size_t count = parts_->document->diagnostics().size();
+    parts_->problemsDock->setWindowTitle(count == 0 ? tr("Problems") : tr("Problems (%1)").arg(count));
+  };
+  connect(p.document, &SceneDocument::diagnosticsChanged, this, countProblems);
+
   connect(p.start, &QAction::triggered, p.session, &SessionControl::start);
   connect(p.stop, &QAction::triggered, p.session, &SessionControl::stop);
   connect(p.closeReplay, &QAction::triggered, this, &MainWindow::enterEditing);
@@ -76,6 +82,7 @@ void MainWindow::connectParts() {
   connect(p.emergencyStop, &QAction::triggered, p.operatorKeys, &OperatorKeys::stopAtOnce);
   connect(p.reset, &QAction::triggered, p.operatorKeys, &OperatorKeys::reset);
   connect(p.timing, &TimingPanel::rateChosen, p.session, &SessionControl::setRate);
+  connect(p.timing, &TimingPanel::rateChosen, p.document, &SceneDocument::judgeAt);
 
   connect(p.control, &ControlMenu::chosen, p.session, &SessionControl::chooseControl);
   connect(p.heldBy, &HandMenu::chosen, p.session, &SessionControl::chooseHand);
@@ -128,10 +135,13 @@ void MainWindow::enterEditing() {
 void MainWindow::showEditing() {
   Parts& p = *parts_;
   if (p.replay || p.session->isRunning()) return;
+  const auto& scene = p.document->compiled().scene;
+  const bool isEmpty = scene && scene->walls.empty() && scene->zones.empty();
   p.status->showState(tr("Editing"),
                       p.editor->makeSolid()->isEnabled()
                           ? tr("nothing in this scene is felt yet: Edit > Make solid (M) gives it a ball and a surface")
-                          : tr("click a wall to change it, or start a session to feel the scene"));
+                      : isEmpty ? tr("only the ball is here: add walls (W) and zones (D, S, R) around it")
+                                : tr("click a wall to change it, or start a session to feel the scene"));
 }
 
 void MainWindow::enterSession() {

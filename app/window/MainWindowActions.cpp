@@ -35,8 +35,7 @@ void MainWindow::buildActions() {
   p.open->setIcon(standardIcon(QStyle::SP_DialogOpenButton));
   p.save = action(this, "saveAction", tr("Save"), tr("Save the scene"), QKeySequence::Save);
   p.save->setIcon(standardIcon(QStyle::SP_DialogSaveButton));
-  p.saveAs =
-      action(this, "saveAsAction", tr("Save as..."), tr("Save the scene under another name"), QKeySequence::SaveAs);
+  p.saveAs = action(this, "saveAsAction", tr("Save as..."), tr("Save the scene under another name"), {"Ctrl+Shift+S"});
   p.start = action(this, "startAction", tr("Start session"), tr("Feel the scene; the session is logged"), {"F5"});
   p.start->setIcon(standardIcon(QStyle::SP_MediaPlay));
   p.stop = action(this, "stopAction", tr("Stop"), tr("End the session and replay it"), {"F6"});

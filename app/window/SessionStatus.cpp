@@ -67,7 +67,9 @@ void SessionStatus::showSessionState(const TickRecord& record) {
       return show(tr("Ready"), hint(tr("the arm is braked: take the ball with the left mouse button, or hold Space")),
                   kCareful);
     case SessionState::running:
-      return show(tr("Running"), hint(tr("pull the ball with the left mouse button; Esc stops at once")), kGood);
+      return show(tr("Running"),
+                  hint(tr("pull the ball with the left mouse button, with Shift up and down; Esc stops at once")),
+                  kGood);
     case SessionState::fault:
       return show(tr("Fault: %1").arg(QString::fromStdString(faultList(record.faults))),
                   tr("the arm is braked: let go, then Reset (F7)"), kBad);

@@ -1,7 +1,10 @@
 #pragma once
 
-#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
 #include <numbers>
+
+#include "device/redundancy/SymmetricEigen.h"
 
 namespace haptiv {
 
@@ -14,10 +17,12 @@ inline constexpr double kUnitBall = Rows == 2 ? std::numbers::pi : 4. / 3 * std:
 template <int Rows>
 struct BlockEigen {
   explicit BlockEigen(const Eigen::Matrix<double, Rows, Rows>& gram) noexcept {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Rows, Rows>> solver(gram);
-    // Rounding can leave an eigenvalue of a singular pose slightly negative.
-    sigma = solver.eigenvalues().cwiseMax(0.).cwiseSqrt().reverse();
-    axes = solver.eigenvectors().rowwise().reverse();
+    const SymmetricEigen<Rows> eigen(gram);
+    for (int i = 0; i < Rows; ++i) {
+      // Rounding can leave an eigenvalue of a singular pose slightly negative.
+      sigma[i] = std::sqrt(std::max(eigen.values[Rows - 1 - i], 0.));
+      axes.col(i) = eigen.vectors.col(Rows - 1 - i);
+    }
   }
 
   Eigen::Matrix<double, Rows, 1> sigma;    ///< falling

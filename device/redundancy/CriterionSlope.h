@@ -18,6 +18,11 @@ enum class Corners { sharp, rounded };
 /// with s the sm at which it is reached. Steps of a tick stay short of overshooting, and nothing is made of rounding.
 inline constexpr double kSteepestCondition = 20;
 
+inline double power16(double x) noexcept {
+  const double x2 = x * x, x4 = x2 * x2, x8 = x4 * x4;
+  return x8 * x8;
+}
+
 /// kappa, and of which singular values it is made: d ln kappa = sum (top_i - bottom_i) ds_i / s_i.
 template <int Rows>
 struct Condition {
@@ -29,8 +34,10 @@ struct Condition {
       top[0] = bottom[Rows - 1] = 1;
       return;
     }
-    top = (s / s[0]).square().square().square().square();
-    bottom = (s[Rows - 1] / s).square().square().square().square();
+    for (int i = 0; i < Rows; ++i) {
+      top[i] = power16(s[i] / s[0]);
+      bottom[i] = power16(s[Rows - 1] / s[i]);
+    }
     const double above = top.sum() * bottom.sum();
     kappa *= std::sqrt(std::sqrt(std::sqrt(std::sqrt(above))));
     top /= top.sum();

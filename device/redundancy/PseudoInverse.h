@@ -1,9 +1,11 @@
 #pragma once
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
 
 #include "device/DeviceDescription.h"
+#include "device/redundancy/Cholesky.h"
+#include "device/redundancy/SymmetricEigen.h"
 
 namespace haptiv {
 
@@ -24,13 +26,13 @@ class PseudoInverse {
     // Keeps the factors real at a singular pose, and is lost among the roundings of the largest entries elsewhere.
     Gram regular = gram_;
     regular.diagonal().array() += kRegularisation * gram_.trace() + kTiny;
-    exact_.compute(regular);
+    exact_ = Cholesky<Rows>(regular);
   }
 
   /// A diag(c^2) A^T.
   const Gram& gram() const noexcept { return gram_; }
   /// Product of the singular values of A diag(c), eq. (6).
-  double manipulability() const noexcept { return exact_.matrixLLT().diagonal().prod(); }
+  double manipulability() const noexcept { return exact_.rootOfDeterminant(); }
 
   /// From now on leastNorm is damped along singular vectors u_i with sigma_i < 2 `largest`, and along no others:
   /// 1 / sigma_i becomes sigma_i / (sigma_i^2 + mu_i^2) with mu_i = largest (1 - sigma_i / (2 largest)) closeness.
@@ -38,11 +40,14 @@ class PseudoInverse {
   /// @param closeness  to the singularity: 1 there, 0 where damping sets in; rates have no step then
   void damp(double largest, double closeness) noexcept {
     if (!(closeness > 0)) return;
-    const Eigen::SelfAdjointEigenSolver<Gram> eigen(gram_);
-    const auto squares = eigen.eigenvalues().array().max(0.);
-    const auto mu = closeness * (largest - squares.sqrt() / 2).max(0.);
-    const Task inverse = (squares + mu.square() + kTiny).inverse().matrix();
-    damped_.noalias() = eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+    const SymmetricEigen<Rows> eigen(gram_);
+    Task inverse;
+    for (int i = 0; i < Rows; ++i) {
+      const double square = std::max(eigen.values[i], 0.);
+      const double mu = closeness * std::max(largest - std::sqrt(square) / 2, 0.);
+      inverse[i] = 1 / (square + mu * mu + kTiny);
+    }
+    damped_.noalias() = eigen.vectors * inverse.asDiagonal() * eigen.vectors.transpose();
     isDamped_ = true;
   }
 
@@ -66,7 +71,7 @@ class PseudoInverse {
   Matrix A_, weighted_;
   Rates squaredWeights_;
   Gram gram_;
-  Eigen::LLT<Gram> exact_;
+  Cholesky<Rows> exact_;
   Gram damped_;  ///< inverse, where isDamped_
   bool isDamped_ = false;
 };

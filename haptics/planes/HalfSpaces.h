@@ -32,10 +32,11 @@ struct HalfSpaces {
   ///
   ///   min |y|^2 / 2 + sum max(0, r_i - n_i . y)^2 / 2d,   r_i = offset_i - n_i . p,   s_i = max(0, r_i - n_i . y) / d
   ///
-  /// and are then stretched to reach the planes. They are unique, change continuously with all planes (by no more
-  /// than 1 / d times as much) and do not depend on their order: planes on one spot share alike. Their sum along the
-  /// normals is the way to the nearest point for one plane, for orthogonal and for coinciding ones, else within d of
-  /// it.
+  /// This is solved twice, the second time with r_i larger by what plane i gave way (a step of the proximal method),
+  /// and the shares are stretched to reach the planes. They are unique, change continuously with all planes (by no more
+  /// than 2 / d times as much) and do not depend on their order: planes on one spot share alike. Their sum along the
+  /// normals is the way to the nearest point for one plane and for coinciding ones, else within some d^2 of it: so a
+  /// plane that is met when the others hold p already, as that of a triangle is, comes in with next to no share.
   ///
   /// Newton's method on the planes that push: a few steps, each a 3 x 3 system. Realtime-safe: yes.
   void shareOut(const Vector3& p) noexcept { shareOut(p, p); }
@@ -69,6 +70,8 @@ struct HalfSpaces {
   Vector3 balance(Set planes) const noexcept;
   Vector3 balanceOfTwo(std::size_t i, std::size_t j) const noexcept;
   Shared settle(const Vector3& guess) noexcept;
+  /// The same, where these planes probably push.
+  Shared settleFrom(Set planes) noexcept;
   bool allHold(const Vector3& y) const noexcept;
 
   static std::size_t firstOf(Set planes) noexcept { return static_cast<std::size_t>(std::countr_zero(planes)); }
@@ -138,6 +141,12 @@ typename HalfSpaces<Capacity>::Shared HalfSpaces<Capacity>::settle(const Vector3
 }
 
 template <int Capacity>
+typename HalfSpaces<Capacity>::Shared HalfSpaces<Capacity>::settleFrom(Set planes) noexcept {
+  const Vector3 y = balance(planes);
+  return pushAt(y).planes == planes ? Shared{planes, y} : settle(y);
+}
+
+template <int Capacity>
 typename HalfSpaces<Capacity>::Shared HalfSpaces<Capacity>::shareOut(const Vector3& p, const Vector3& guess) noexcept {
   bool isPushed = false;
   largest_ = 0;
@@ -152,7 +161,14 @@ typename HalfSpaces<Capacity>::Shared HalfSpaces<Capacity>::shareOut(const Vecto
     share[0] = missing_[0];
     return {1, missing_[0] * normal[0]};
   }
-  Shared shared = settle((1 - 2 * kGive) * (guess - p));
+  const Shared rough = settle((1 - 2 * kGive) * (guess - p));
+  std::array<double, Capacity> asked;
+  for (std::size_t i = 0; i < size(); ++i) {
+    asked[i] = missing_[i];
+    missing_[i] += depth_[i];
+  }
+  Shared shared = settleFrom(rough.planes);
+  for (std::size_t i = 0; i < size(); ++i) missing_[i] = asked[i];
   double squares = 0;
   for (Set left = shared.planes; left != 0; left = butFirst(left)) {
     const std::size_t i = firstOf(left);
@@ -160,7 +176,8 @@ typename HalfSpaces<Capacity>::Shared HalfSpaces<Capacity>::shareOut(const Vecto
     squares += share[i] * share[i];
   }
   const double way = shared.way.squaredNorm();
-  const double stretch = squares < way ? 1 + kGive * squares / way : 1 + kGive;
+  const double give = kGive * std::min(1.0, squares / way);
+  const double stretch = 1 / (1 - give * give / ((1 + give) * (1 + give)));
   for (Set left = shared.planes; left != 0; left = butFirst(left)) share[firstOf(left)] *= stretch;
   shared.way *= stretch;
   return shared;

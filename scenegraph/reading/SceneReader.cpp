@@ -115,9 +115,10 @@ void SceneReader::open(SceneFile& scene) {
   }
   addLocated(scene, std::move(found));
   const fs::path folder = fs::path(scene.path).parent_path();
-  addLocated(scene, loadNamedFiles(scene.root.get(), {folder, home_}, [&](const fs::path& path, const SoNode* namedBy) {
-               return include(scene, path, namedBy);
-             }));
+  const ReadScene readIncluded = [&](const fs::path& path, const SoNode* namedBy) {
+    return include(scene, path, namedBy);
+  };
+  addLocated(scene, loadNamedFiles(scene.root.get(), {folder, home_}, readIncluded, pictures_));
 }
 
 NodeRef<SoSeparator> SceneReader::include(SceneFile& scene, const fs::path& path, const SoNode* namedBy) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/files/PictureLoader.h"
 
 namespace haptiv {
 
@@ -15,7 +16,8 @@ namespace haptiv {
 class SceneReader {
  public:
   /// @param home  the folder of the scene that the user named: nothing outside of it is opened
-  explicit SceneReader(std::filesystem::path home) : home_(std::move(home)) {}
+  SceneReader(std::filesystem::path home, DecodePicture decode)
+      : home_(std::move(home)), pictures_(std::move(decode)) {}
 
   /// @param name  of the file, for diagnostics; names in it are relative to its folder
   SceneFile read(std::string bytes, const std::string& name);
@@ -31,6 +33,7 @@ class SceneReader {
   void judge(SceneFile& scene);
 
   std::filesystem::path home_;
+  PictureLoader pictures_;
   std::vector<SceneFile*> reading_;  ///< the innermost last
   std::vector<std::filesystem::path> paths_;
   std::map<std::filesystem::path, NodeRef<SoSeparator>> included_;

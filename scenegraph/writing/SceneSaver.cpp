@@ -7,7 +7,10 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "scenegraph/SceneCompiler.h"
 #include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/coin/Isolated.h"
+#include "scenegraph/writing/WithoutPrototypes.h"
 
 namespace haptiv {
 namespace {
@@ -74,16 +77,24 @@ class ReplacingFile {
   bool done_ = false;
 };
 
+/// The scene without prototypes, made in a process of its own, where Coin may crash on what a stranger wrote, and
+/// compared with what it was.
+std::string writtenOut(SoSeparator* root, const fs::path& path) {
+  const auto refuse = [&](const std::string& why) {
+    throw std::runtime_error(path.string() + ": cannot be saved: its prototypes (PROTO) cannot be written out: " + why +
+                             "; the file is as it was");
+  };
+  Isolated made = runIsolated([root] { return writeSceneText(withoutPrototypes(root).get()); });
+  if (!made.fault.empty()) refuse(made.fault);
+  const SceneFile again = readSceneText(made.result, path.string());
+  if (!again.root || drawnTriangles(again.root.get()) != drawnTriangles(root)) refuse("the scene would be another one");
+  return std::move(made.result);
+}
+
 }  // namespace
 
-void saveScene(SoNode* root, const fs::path& path) {
-  if (hasPrototypes(root)) {
-    throw std::runtime_error(
-        path.string() +
-        ": cannot be saved: the scene holds prototypes (PROTO), which Coin writes so that they are "
-        "lost in the end; the file is as it was");
-  }
-  saveText(writeSceneText(root), path);
+void saveScene(SoSeparator* root, const fs::path& path) {
+  saveText(hasPrototypes(root) ? writtenOut(root, path) : writeSceneText(root), path);
 }
 
 void saveText(std::string_view text, const fs::path& path) {

@@ -46,9 +46,21 @@ TEST(DeviceDescription, LoadsFromAPath) {
 }
 
 TEST(DeviceDescription, ARelativePathStartsAtTheFileThatNamesIt) {
-  const std::string scene = HAPTIV_SOURCE_DIR "/scenes/wall.iv", path = "../device/descriptions/vishard10.toml";
+  const std::string scene = HAPTIV_SOURCE_DIR "/device/scene.iv", path = "descriptions/vishard10.toml";
   EXPECT_EQ(loadDeviceDescription(path, scene).homeAngles, loadDeviceDescription("vishard10").homeAngles);
   EXPECT_THROW(loadDeviceDescription("vishard10.toml", scene), std::runtime_error);
+}
+
+TEST(DeviceDescription, IsNotReadFromOutsideOfTheFolderOfTheSceneThatNamesIt) {
+  const std::string scene = ::testing::TempDir() + "scene.iv";
+  for (const std::string name : {"/etc/passwd", "../../etc/passwd", "/dev/zero"}) {
+    try {
+      loadDeviceDescription(name, scene);
+      ADD_FAILURE() << name;
+    } catch (const std::runtime_error& error) {
+      EXPECT_THAT(error.what(), ::testing::HasSubstr("outside of the folder of the scene")) << name;
+    }
+  }
 }
 
 TEST(DeviceDescription, TakesEveryKeyOfItsFormat) {

@@ -1,16 +1,21 @@
 #include "scenegraph/SceneFile.h"
 
+#include <Inventor/SoDB.h>
+#include <Inventor/VRMLnodes/SoVRMLTransform.h>
 #include <Inventor/manips/SoHandleBoxManip.h>
 #include <Inventor/nodes/SoCube.h>
 #include <Inventor/nodes/SoInfo.h>
 #include <Inventor/nodes/SoTranslation.h>
+#include <Inventor/sensors/SoSensorManager.h>
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <thread>
 
 #include "tests/scenegraph/SceneTesting.h"
 
@@ -101,6 +106,15 @@ TEST(SceneFile, RefusesWhatIsTooLongOrTooDeepForCoin) {
   EXPECT_THAT(errorsOf(kHeader + deep + std::string(20000, '}')), HasSubstr("deeper than 1000 levels"));
 }
 
+TEST(SceneFile, RefusesFacesThatCrowdOnePoint) {
+  std::string faces;
+  for (int i = 0; i < 40'000; ++i) faces += "0 1 2 -1\n";
+  const SceneFile crowded =
+      read("Coordinate3 { point [ 0 0 0, 1 0 0, 1 1 0 ] }\nIndexedFaceSet { coordIndex [ " + faces + " ] }");
+  EXPECT_FALSE(crowded.root);
+  EXPECT_THAT(textOf(crowded.diagnostics), HasSubstr("3: error: IndexedFaceSet: has 40000 corners on one point"));
+}
+
 TEST(SceneFile, RefusesADeepChainOfUses) {
   std::string chain = kHeader + "DEF a0 Separator { Cube { } }";
   for (int i = 1; i < 3000; ++i) {
@@ -186,6 +200,54 @@ TEST(SceneSaver, ReplacesAFileAndKeepsItsPermissionsAndLinks) {
   EXPECT_THAT(contentsOf(file), HasSubstr("Cube"));
   EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 2);  // nothing is left beside them
+}
+
+constexpr const char* kPrototypes = R"(#VRML V2.0 utf8
+PROTO Box2 [ field SFVec3f size 1 1 1 ] { Shape { geometry Box { size IS size } } }
+PROTO Two [ field SFVec3f far 3 0 0 ] {
+  Group { children [ Box2 { size 0.1 0.2 0.3 } Transform { translation IS far children Box2 { } } ] }
+}
+HapticTool { home 0.35 0 0 }
+HapticSurface { label "felt" }
+Two { far 0 4 0 }
+)";
+
+TEST(SceneFile, StandsStillForWhatIsSeenMustBeFeltThere) {
+  const SceneFile scene = readSceneText(
+      "#VRML V2.0 utf8\nDEF C TimeSensor { loop TRUE cycleInterval 0.5 }\n"
+      "DEF W PositionInterpolator { key [ 0 1 ] keyValue [ 0 0 0, 1 0 0 ] }\nDEF M Transform { children Shape { } }\n"
+      "ROUTE C.fraction_changed TO W.set_fraction\nROUTE W.value_changed TO M.set_translation\n",
+      "moving.wrl");
+  ASSERT_TRUE(scene.root) << textOf(scene.diagnostics);
+  const auto* moved = static_cast<SoVRMLTransform*>(SoNode::getByName("M"));
+  const SbVec3f before = moved->translation.getValue();
+  for (int i = 0; i < 3; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    SoDB::getSensorManager()->processTimerQueue();
+    SoDB::getSensorManager()->processDelayQueue(TRUE);
+    EXPECT_EQ(moved->translation.getValue(), before);
+  }
+}
+
+TEST(SceneSaver, WritesOutWhatPrototypesMake) {
+  const testing::ScratchFolder folder;
+  const SceneFile scene = readSceneText(kPrototypes, "prototypes.wrl");
+  ASSERT_TRUE(scene.root) << textOf(scene.diagnostics);
+  for (int time = 0; time < 2; ++time) {  // and what is saved can be saved again
+    saveScene(scene.root.get(), folder.path() / "saved.iv");
+    const SceneFile saved = readScene(folder.path() / "saved.iv");
+    ASSERT_TRUE(saved.root) << textOf(saved.diagnostics);
+    EXPECT_FALSE(hasPrototypes(saved.root.get()));
+    const CompiledScene before = SceneCompiler().compile(scene.root.get());
+    const CompiledScene after = SceneCompiler().compile(saved.root.get());
+    ASSERT_TRUE(before.scene && after.scene);
+    ASSERT_EQ(after.scene->walls.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(after.scene->walls[i].shape.centre, before.scene->walls[i].shape.centre);
+      EXPECT_EQ(after.scene->walls[i].shape.axes, before.scene->walls[i].shape.axes);
+    }
+  }
+  EXPECT_TRUE(hasPrototypes(scene.root.get())) << "the scene that is open keeps them";
 }
 
 TEST(SceneSaver, LeavesTheFileAsItWasWhenItCannotBeWritten) {

@@ -2,10 +2,23 @@
 
 #include <QKeyEvent>
 #include <QSignalBlocker>
+#include <algorithm>
+#include <cmath>
 
 namespace haptiv {
 
-NumberField::NumberField(const Format& format, QWidget* parent) : QDoubleSpinBox(parent) {
+namespace {
+
+/// As many as four digits of the value take.
+int decimalsOf(double value, int least) {
+  constexpr int kMost = 12;
+  if (value == 0 || !std::isfinite(value)) return least;
+  return std::clamp(3 - static_cast<int>(std::floor(std::log10(std::abs(value)))), least, kMost);
+}
+
+}  // namespace
+
+NumberField::NumberField(const Format& format, QWidget* parent) : QDoubleSpinBox(parent), format_(format) {
   setDecimals(format.decimals);
   setRange(format.minimum, format.maximum);
   setSingleStep(format.step);
@@ -19,6 +32,8 @@ NumberField::NumberField(const Format& format, QWidget* parent) : QDoubleSpinBox
 
 void NumberField::show(double value) {
   const QSignalBlocker quiet(this);
+  setDecimals(decimalsOf(value, format_.decimals));
+  setRange(std::min(format_.minimum, value), std::max(format_.maximum, value));
   setValue(value);
 }
 

@@ -18,7 +18,8 @@ class NumberField : public QDoubleSpinBox {
   };
   explicit NumberField(const Format& format, QWidget* parent = nullptr);
 
-  /// Shows a value without reporting it.
+  /// Shows a value without reporting it, whatever the scene has: one outside of the format's range, or with more
+  /// decimals than it, is shown as it is.
   void show(double value);
   using QDoubleSpinBox::show;
 
@@ -26,6 +27,9 @@ class NumberField : public QDoubleSpinBox {
   QString textFromValue(double value) const override;
   bool event(QEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+
+ private:
+  Format format_;
 };
 
 }  // namespace haptiv

@@ -4,6 +4,7 @@
 
 #include "app/editor/Edits.h"
 #include "app/editor/panels/KindNames.h"
+#include "app/editor/panels/WallDynamics.h"
 
 namespace haptiv {
 namespace {
@@ -54,6 +55,7 @@ void PropertyPanel::build() {
   name_->setFont(bold);
   kind_ = wrapped("selectionKind");
   hint_ = wrapped("selectionHint");
+  dynamics_ = wrapped("wallDynamics");
   onlyThis_ = new QCheckBox("Change only this one");
   onlyThis_->setObjectName("onlyThisBox");
   onlyThis_->setChecked(true);
@@ -61,7 +63,8 @@ void PropertyPanel::build() {
   feelSection_ = section("Feel", feel_);
   place_ = new PlaceForm;
   placeSection_ = section("Place and size", place_);
-  for (QWidget* widget : std::initializer_list<QWidget*>{name_, kind_, feelSection_, hint_, onlyThis_, placeSection_}) {
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{name_, kind_, feelSection_, dynamics_, hint_, onlyThis_, placeSection_}) {
     layout->addWidget(widget);
   }
   layout->addStretch();
@@ -75,7 +78,7 @@ void PropertyPanel::build() {
 void PropertyPanel::refresh() {
   const std::vector<SceneItem> items = listScene(document_.root());
   const SceneItem* item = findItem(items, document_.selection());
-  for (QWidget* widget : std::initializer_list<QWidget*>{kind_, onlyThis_, feelSection_, placeSection_}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{kind_, onlyThis_, feelSection_, dynamics_, placeSection_}) {
     widget->setVisible(false);
   }
   if (item) return showItem(items, *item);
@@ -98,6 +101,8 @@ void PropertyPanel::showItem(const std::vector<SceneItem>& items, const SceneIte
   const bool hasFeel = item.property && !rowsFor(keyword(*item.property)).isEmpty();
   feel_->show(hasFeel ? item.property : nullptr);
   feelSection_->setVisible(hasFeel);
+  dynamics_->setText(wallDynamicsText(document_, item.property));
+  dynamics_->setVisible(!dynamics_->text().isEmpty());
   if (hasFeel) showSharing(sharingOf(items, item, document_.root()));
   if (!hasFeel) {
     hint_->setText("It is drawn, but the hand goes through it.");

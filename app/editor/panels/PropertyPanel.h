@@ -32,6 +32,7 @@ class PropertyPanel : public QScrollArea {
   QLabel* name_ = nullptr;
   QLabel* kind_ = nullptr;
   QLabel* hint_ = nullptr;
+  QLabel* dynamics_ = nullptr;
   QCheckBox* onlyThis_ = nullptr;
   QGroupBox* feelSection_ = nullptr;
   QWidget* placeSection_ = nullptr;

@@ -26,6 +26,8 @@ Diagnostic parse(const SoError* error, const std::string& file) {
   for (char& c : text) {
     if (c == '\n' || c == '\t') c = ' ';
   }
+  if (text.starts_with("Couldn't read value for field"))
+    text += ": write a value of the field's type, and numbers as digits (nan and inf are none)";
   diagnostic.message = text;
   return diagnostic;
 }

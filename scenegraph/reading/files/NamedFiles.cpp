@@ -28,7 +28,7 @@ bool isUndefined(const std::string& name) {
 
 /// Coin loads a picture when it learns of its name, and looks in the working directory first: it is told the whole path
 /// for as long as that takes.
-void loadPicture(SoField* field, const std::string& path) {
+void letCoinLoad(SoField* field, const std::string& path) {
   SbString before;
   field->get(before);
   field->enableNotify(FALSE);
@@ -48,7 +48,8 @@ std::string pictureFault(const Diagnostics& said) {
 
 class Loader {
  public:
-  Loader(const NamingFile& from, const ReadScene& readScene) : from_(from), readScene_(readScene) {}
+  Loader(const NamingFile& from, const ReadScene& readScene, PictureLoader& pictures)
+      : from_(from), readScene_(readScene), pictures_(pictures) {}
 
   Diagnostics diagnostics;
 
@@ -106,14 +107,20 @@ class Loader {
       const NamedFile file = judgeName(name, from_.folder, from_.home);
       why = file.why;
       if (!why.empty()) continue;
-      const CoinMessages messages{std::string()};
-      loadPicture(field, file.path.string());
-      if (!messages.diagnostics().empty())
-        say(Severity::warning, node,
-            "the texture \"" + name.substr(0, 200) + "\" cannot be shown: " + pictureFault(messages.diagnostics()));
+      const std::string fault = loadPicture(node, field, file.path);
+      if (!fault.empty())
+        say(Severity::warning, node, "the texture \"" + name.substr(0, 200) + "\" cannot be shown: " + fault);
       return;
     }
     if (!why.empty()) say(Severity::warning, node, "the texture " + why);
+  }
+
+  /// Why the node does not show it; empty where it does.
+  std::string loadPicture(SoNode* node, SoField* field, const std::filesystem::path& path) {
+    if (pictures_.takes(node)) return pictures_.load(node, path);
+    const CoinMessages messages{std::string()};
+    letCoinLoad(field, path.string());
+    return messages.diagnostics().empty() ? std::string() : pictureFault(messages.diagnostics());
   }
 
   void keepOrClear(SoNode* node, SoField* field, const std::vector<std::string>& names) {
@@ -139,12 +146,13 @@ class Loader {
 
   const NamingFile& from_;
   const ReadScene& readScene_;
+  PictureLoader& pictures_;
 };
 
 }  // namespace
 
-Diagnostics loadNamedFiles(SoNode* root, const NamingFile& from, const ReadScene& readScene) {
-  Loader loader(from, readScene);
+Diagnostics loadNamedFiles(SoNode* root, const NamingFile& from, const ReadScene& readScene, PictureLoader& pictures) {
+  Loader loader(from, readScene, pictures);
   for (SoNode* node : writtenNodes(root)) loader.load(node);
   return std::move(loader.diagnostics);
 }

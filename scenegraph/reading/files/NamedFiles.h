@@ -5,6 +5,7 @@
 
 #include "scenegraph/Diagnostic.h"
 #include "scenegraph/NodeRef.h"
+#include "scenegraph/reading/files/PictureLoader.h"
 
 class SoSeparator;
 
@@ -23,6 +24,6 @@ using ReadScene = std::function<NodeRef<SoSeparator>(const std::filesystem::path
 /// WWWInline stand, and textures are loaded. A file that is not there is a warning, since Coin shows the scene without
 /// it; one that may not be opened is a warning for a texture and an error for a scene. The diagnostics have a source,
 /// and neither file nor line.
-Diagnostics loadNamedFiles(SoNode* root, const NamingFile& from, const ReadScene& readScene);
+Diagnostics loadNamedFiles(SoNode* root, const NamingFile& from, const ReadScene& readScene, PictureLoader& pictures);
 
 }  // namespace haptiv

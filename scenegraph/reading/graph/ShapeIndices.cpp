@@ -25,6 +25,7 @@
 
 #include "scenegraph/Keyword.h"
 #include "scenegraph/reading/graph/AttributesInForce.h"
+#include "scenegraph/reading/graph/CrowdedPoints.h"
 #include "scenegraph/reading/graph/GraphWalk.h"
 #include "scenegraph/reading/graph/ListMending.h"
 
@@ -122,6 +123,7 @@ class IndexChecker {
                              dynamic_cast<const SoIndexedTriangleStripSet*>(&shape));
     }
     hold(&shape, "coordinate", reach.coordinates, state.coordinates);
+    holdCrowds(&shape, reach);
     hold(&shape, "normal", reach, state.normals, indexed ? &indexed->normalIndex : nullptr);
     hold(&shape, "material", reach, state.materials, indexed ? &indexed->materialIndex : nullptr);
     hold(&shape, "texture coordinate", reach, state.textureCoordinates,
@@ -132,6 +134,7 @@ class IndexChecker {
   void checkShape(const SoVRMLIndexedShape& shape) {
     const ShapeReach reach = reachOfIndices(shape.coordIndex, false, false);
     hold(&shape, "coordinate", reach.coordinates, valuesOf(shape.coord.getValue()));
+    holdCrowds(&shape, reach);
     hold(&shape, "normal", reach, vrmlAttribute(shape.normal, shape.normalPerVertex, &shape.normalIndex),
          &shape.normalIndex);
     hold(&shape, "color", reach, vrmlAttribute(shape.color, shape.colorPerVertex, &shape.colorIndex),
@@ -195,6 +198,12 @@ class IndexChecker {
                   ": correct its indices or counts, or add what is missing");
   }
 
+  void holdCrowds(const SoNode* node, const ShapeReach& reach) {
+    if (!isSound_ || !reach.coordIndex || reach.isLines || !reach.fault.empty()) return;
+    const std::string fault = crowds_.add(node, *reach.coordIndex);
+    if (!fault.empty()) say(node, fault);
+  }
+
   void say(const SoNode* node, std::string message, Diagnostic::Severity severity = Diagnostic::Severity::error) {
     const bool isError = severity == Diagnostic::Severity::error;
     if (isError) isSound_ = false;
@@ -204,6 +213,7 @@ class IndexChecker {
 
   bool isHidden_ = false;  ///< behind a Switch
   bool isSound_ = true;    ///< the shape that is being checked, so far
+  CrowdedPoints crowds_;
   Diagnostics hidden_;
   std::unordered_set<const SoNode*> sound_;  ///< shapes that are right in one place at least
   std::set<std::tuple<const SoNode*, Diagnostic::Severity, bool>> said_;

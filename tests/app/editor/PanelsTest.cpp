@@ -58,6 +58,36 @@ TEST(PropertyPanel, SetsTheStiffnessOfAWallThatUndoTakesBack) {
   EXPECT_EQ(box.value(), 2500);
 }
 
+TEST(PropertyPanel, ShowsWhatTheSceneHasBeyondTheRangesOfItsFields) {
+  EditedScene scene(
+      "#Inventor V2.1 ascii\nHapticTool { home 0.3 0 0 mass 0.002 }\nTranslation { translation 0.3 0.2 0 }\n"
+      "HapticSurface { stiffness 5e7 damping -5 label \"odd\" }\nCube { width 0.1 height 0.1 depth 0.1 }\n");
+  PropertyPanel panel(scene.document);
+  ASSERT_TRUE(scene.select("odd"));
+  EXPECT_EQ(field(panel, "stiffnessField").value(), 5e7);
+  EXPECT_EQ(field(panel, "dampingField").value(), -5);
+  ASSERT_TRUE(scene.select("ball"));
+  EXPECT_EQ(field(panel, "massField").text(), "0.002 kg");
+  EXPECT_EQ(scene.document.undoStack().count(), 0) << "to look is not to change";
+}
+
+// m = 2 kg, k = 9000 N/m, b = 190 N s/m: 190 / (2 sqrt(2 9000)) = 0.708, by (32).
+TEST(PropertyPanel, TellsHowAWallAnswersAndAZoneNothingOfIt) {
+  EditedScene scene(
+      "#Inventor V2.1 ascii\nHapticTool { home 0.3 0 0 }\nTranslation { translation 0.3 0.2 0 }\n"
+      "HapticSurface { stiffness 9000 damping 190 label \"wall\" }\nCube { width 0.1 height 0.1 depth 0.1 }\n"
+      "HapticViscousZone { label \"zone\" }\nCube { width 0.2 height 0.2 depth 0.2 }\n");
+  PropertyPanel panel(scene.document);
+  panel.show();
+  ASSERT_TRUE(scene.select("wall"));
+  auto& told = field<QLabel>(panel, "wallDynamics");
+  EXPECT_THAT(told.text().toStdString(), testing::HasSubstr("Damping ratio 0.71"));
+  EXPECT_THAT(told.text().toStdString(), testing::HasSubstr("170 N presses the ball 1.9 cm deep"));
+  EXPECT_TRUE(told.isVisible());
+  ASSERT_TRUE(scene.select("zone"));
+  EXPECT_FALSE(told.isVisible());
+}
+
 TEST(PropertyPanel, MergesTheStepsOfARunningSpinBox) {
   EditedScene scene(kTwoWalls);
   PropertyPanel panel(scene.document);

@@ -36,6 +36,57 @@ TEST(SceneDocument, KeepsTheOldSceneWhenAFileCannotBeRead) {
   EXPECT_EQ(scene.document.path(), scene.pathOf("scene.iv"));
 }
 
+TEST(SceneDocument, JudgesOnTheDeviceDescriptionBesideTheScene) {
+  EditedScene scene(kTwoWalls);
+  const auto write = [&](const QString& name, const QByteArray& text) {
+    QFile file(scene.pathOf(name));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+  };
+  QByteArray strong = QByteArray::fromStdString(loadDeviceDescription("vishard10").text);
+  strong.replace("peakForce = 170", "peakForce = 171");
+  write("strong.toml", strong);
+  write("beside.iv",
+        "#Inventor V2.1 ascii\nHapticDevice { description \"strong.toml\" }\nHapticTool { home 0.3 0 0 }\n");
+  ASSERT_TRUE(scene.document.open(scene.pathOf("beside.iv")));
+  EXPECT_FALSE(hasErrors(scene.document.diagnostics()));
+  EXPECT_EQ(scene.document.device().hand.peakForce, 171);
+}
+
+TEST(SceneDocument, JudgesAtTheRateOfTheSession) {
+  EditedScene scene(
+      "#Inventor V2.1 ascii\nHapticTool { home 0.3 0 0 }\nTranslation { translation 0.3 0.2 0 }\n"
+      "HapticSurface { stiffness 9e6 }\nCube { width 0.1 height 0.1 depth 0.1 }\n");
+  const auto told = [&] { return scene.document.diagnostics().at(0).message; };
+  EXPECT_THAT(told(), testing::HasSubstr("cannot be rendered stably at 1000 Hz"));
+  scene.document.judgeAt(4000);
+  letEventsRun();
+  EXPECT_THAT(told(), testing::HasSubstr("too stiff for the arm")) << "the sampled bound is sixteen times as high";
+}
+
+TEST(SceneDocument, ListsErrorsFirstAndEachByItsLine) {
+  EditedScene scene(
+      "#Inventor V2.1 ascii\nHapticTool { home 0.3 0 0 }\nTranslation { translation 0.3 0.2 0 }\n"
+      "HapticSurface { stiffness 2000 label \"a\" } Cube { width 0.1 height 0.001 depth 0.1 }\n"
+      "HapticSurface { stiffness 9e6 label \"b\" } Cube { width 0.1 height 0.1 depth 0.1 }\n"
+      "HapticSurface { label \"a\" }\n");
+  std::vector<int> lines;
+  for (const Diagnostic& each : scene.document.diagnostics()) lines.push_back(each.line);
+  EXPECT_EQ(lines, (std::vector<int>{4, 5, 6}));
+}
+
+/// So it is felt within a frame: SessionControl publishes at the signal, and the servo takes the scene in its next
+/// tick.
+TEST(SceneDocument, CompilesAnEditInTheSameTurnOfTheEventLoop) {
+  EditedScene scene(kTwoWalls);
+  ASSERT_TRUE(scene.select("left"));
+  QSignalSpy compiled(&scene.document, &SceneDocument::sceneCompiled);
+  editProperty(scene.document, "stiffness", number(4321), Reach::onlyThis);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(compiled.count(), 1);
+  EXPECT_EQ(scene.document.compiled().scene->walls[0].surface.stiffness, 4321);
+}
+
 TEST(SceneDocument, KeepsTheLastValidSceneWhileAnEditIsInvalid) {
   EditedScene scene(kTwoWalls);
   const auto valid = scene.document.compiled().scene;

@@ -346,6 +346,18 @@ TEST_F(Window, AStrategyIsChosenBeforeASessionAndLiveAndStandsInTheReplay) {
   EXPECT_EQ(strategy.currentText(), live) << "the choice stays for the next session";
 }
 
+TEST_F(Window, CountsProblemsAndSaysWhatToDoInAnEmptyScene) {
+  openScene(
+      "#Inventor V2.1 ascii\nHapticTool { home 0.35 0 0 }\nTranslation { translation 0.35 0.2 0 }\n"
+      "HapticSurface { stiffness 2000 } Cube { width 0.1 height 0.001 depth 0.1 }\n");
+  EXPECT_EQ(find<QDockWidget>("problemsDock").windowTitle(), "Problems (1)");
+  find<QAction>("newAction").trigger();
+  QTest::qWait(100);
+  EXPECT_EQ(find<QDockWidget>("problemsDock").windowTitle(), "Problems");
+  EXPECT_TRUE(find<QLabel>("hintLabel").text().contains("add walls (W)"))
+      << find<QLabel>("hintLabel").text().toStdString();
+}
+
 TEST_F(Window, ABrokenSceneIsToldAndTheOldOneStays) {
   openScene(kWallAhead);
   const QString path = home_.filePath("broken.iv");

@@ -15,7 +15,7 @@ namespace {
 using testing::readingOf;
 using testing::RigidArm;
 
-constexpr double kRate = 1000;
+constexpr double kServoRate = 1000;
 
 /// A hand of a spring and a damper, whose target goes from home along x, and which may twist the handle.
 struct Operator {
@@ -58,7 +58,7 @@ class ControlModes : public ::testing::TestWithParam<ControlChoice> {
     scene.control = choice;
     RigidArm arm(description, description.homeAngles, hand);
     std::vector<TickRecord> records;
-    runFast(arm, description, kRate, scene, static_cast<std::uint64_t>(kRate * seconds), [&](const TickRecord& record) {
+    runFast(arm, description, kServoRate, scene, static_cast<std::uint64_t>(kServoRate * seconds), [&](const TickRecord& record) {
       records.push_back(record);
       return record.faults == kNoFault;
     });
@@ -123,7 +123,7 @@ TEST_P(ControlModes, CanBeRepeatedFromTheReadingsAlone) {
   HapticScene scene = wallAt(0.05);
   const std::vector<TickRecord> recorded = run(scene, GetParam(), hand, 1);
   scene.control = GetParam();
-  const HapticTick tick(description, 1 / kRate);
+  const HapticTick tick(description, 1 / kServoRate);
   TickState state;
   for (const TickRecord& before : recorded) {
     const TickRecord again = tick(scene, before.reading, state);
@@ -144,7 +144,7 @@ TEST_P(ControlModes, TurnsAFreeHandleUnderATorqueAndLetsItStandWhereItIs) {
     EXPECT_LT(turn, 0.01);
   } else if (GetParam().display != DisplayMode::impedance) {
     // I w' = tau - b w from rest: angle = tau/b (t - I/b (1 - exp(-b t/I))).
-    const double time = static_cast<double>(records.size() - 2) / kRate;
+    const double time = static_cast<double>(records.size() - 2) / kServoRate;
     const double inertia = description.control.rotationalInertia, damping = description.control.rotationalDamping;
     const double angle =
         hand.torque.norm() / damping * (time - inertia / damping * -std::expm1(-damping * time / inertia));
@@ -157,7 +157,7 @@ using ControlSchemes = ControlModes;
 
 TEST_F(ControlSchemes, FeelTheSceneAtTheVirtualMassOrWhereTheArmIs) {
   HapticScene scene = wallAt(0.015);
-  const HapticTick tick(description, 1 / kRate);
+  const HapticTick tick(description, 1 / kServoRate);
   const ArmKinematics arm(description);
   constexpr int kTicks = 40;  // no joint turns faster than it may
   const JointVector inside = arm.inverse(home + Vector3(0.008, 0, 0), description.homeAngles);
@@ -189,7 +189,7 @@ TEST_F(ControlSchemes, ShowAStaticForceAsTheTorquesThatItsJacobianAndTheArmsWeig
   scene.zones = {zone};
   scene.control = choiceOf(DisplayMode::impedance, JointController::pd, OrientationMode::held);
   computeBounds(scene);
-  const HapticTick tick(description, 1 / kRate);
+  const HapticTick tick(description, 1 / kServoRate);
   TickState state;
   DeviceReading reading = readingOf(description, description.homeAngles);
   reading.inputs = 0;

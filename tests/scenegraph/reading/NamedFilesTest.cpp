@@ -1,9 +1,13 @@
+#include <Inventor/SbImage.h>
+#include <Inventor/VRMLnodes/SoVRMLImageTexture.h>
 #include <Inventor/VRMLnodes/SoVRMLInline.h>
 #include <Inventor/nodes/SoTexture2.h>
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
+#include <cstdlib>
 #include <fstream>
+#include <map>
 
 #include "tests/scenegraph/SceneTesting.h"
 
@@ -11,6 +15,7 @@ namespace haptiv {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using testing::kHeader;
 using ::testing::Not;
@@ -70,6 +75,51 @@ TEST_F(NamedFiles, AreNotOpenedWhereAPrototypeOrAConnectionNamesThem) {
     EXPECT_THAT(textOf(scene.diagnostics), ::testing::AnyOf(HasSubstr("\"/dev/zero\" is outside of the scene's folder"),
                                                             HasSubstr("name that is computed is not followed")))
         << text;
+  }
+}
+
+constexpr const char* kTwoTextures =
+    "Texture2 { filename \"parts/a.png\" }\nVRMLImageTexture { url [ \"none.png\", \"parts/a.png\" ] }\n";
+
+TEST_F(NamedFiles, OfPicturesAreDecodedOnceAndStayNames) {
+  put(home_ / "parts/a.png", "two pixels");
+  put(home_ / "test.iv", kHeader + kTwoTextures);
+  const auto decode = [](const std::string& contents) {
+    if (contents != "two pixels") throw std::runtime_error("another file");
+    return Picture{2, 1, 3, "abcdef"};
+  };
+  const SceneFile scene = readScene(home_ / "test.iv", decode);
+  ASSERT_TRUE(scene.root);
+  EXPECT_EQ(textOf(scene.diagnostics), "");
+  const auto* texture = dynamic_cast<SoTexture2*>(scene.root->getChild(0));
+  const auto* vrml = dynamic_cast<SoVRMLImageTexture*>(scene.root->getChild(1));
+  ASSERT_TRUE(texture && vrml);
+  SbVec2s size;
+  int components = 0;
+  EXPECT_EQ(std::string(reinterpret_cast<const char*>(texture->image.getValue(size, components)), 6), "abcdef");
+  EXPECT_EQ(size, SbVec2s(2, 1));
+  EXPECT_EQ(components, 3);
+  EXPECT_EQ(vrml->getImage()->getSize(), SbVec3s(2, 1, 0));
+  const std::string saved = writeSceneText(scene.root.get());
+  EXPECT_THAT(saved, AllOf(HasSubstr("filename \"parts/a.png\""), Not(HasSubstr("image"))));
+}
+
+TEST_F(NamedFiles, OfPicturesMayBringTheirDecoderDown) {
+  put(home_ / "parts/a.png", "bytes");
+  put(home_ / "test.iv", kHeader + kTwoTextures);
+  const std::map<std::string, DecodePicture> decoders = {
+      {"it is damaged", [](const std::string&) -> Picture { throw std::runtime_error("it is damaged"); }},
+      {"its decoder crashes or takes too long", [](const std::string&) -> Picture { std::abort(); }},
+      {"it has no pixels", [](const std::string&) {
+         return Picture{1000, 1000, 4, "few"};
+       }}};
+  for (const auto& [why, decode] : decoders) {
+    const SceneFile scene = readScene(home_ / "test.iv", decode);
+    EXPECT_TRUE(scene.root);
+    EXPECT_THAT(textOf(scene.diagnostics), HasSubstr("test.iv:2: warning: Texture2: the texture \"parts/a.png\" "
+                                                     "cannot be shown: " +
+                                                     why));
+    EXPECT_EQ(scene.diagnostics.size(), 2u) << textOf(scene.diagnostics);
   }
 }
 
