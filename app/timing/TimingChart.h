@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "haptics/realtime/TimeHistogram.h"
+#include "device/realtime/TimeHistogram.h"
 
 namespace haptiv {
 

@@ -11,7 +11,7 @@
 #include "haptics/realtime/RealtimeThread.h"
 #include "haptics/realtime/RecordRing.h"
 #include "haptics/realtime/TickGrid.h"
-#include "haptics/realtime/TimeHistogram.h"
+#include "device/realtime/TimeHistogram.h"
 #include "haptics/servo/ServoPace.h"
 #include "haptics/tick/HapticTick.h"
 

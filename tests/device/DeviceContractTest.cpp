@@ -1,44 +1,10 @@
-/// What every HapticDevice keeps to. Another kind of device joins by an INSTANTIATE_TEST_SUITE_P of its own.
-#include <gtest/gtest.h>
+#include "tests/device/DeviceContract.h"
 
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <memory>
 #include <stdexcept>
-#include <string>
 
-#include "device/DeviceDescription.h"
-#include "device/HapticDevice.h"
-#include "device/simulated/SimulatedDevice.h"
-
-namespace haptiv {
-namespace {
-
-constexpr double kTick = 1e-3;
-
-/// A device with nobody at its handle, standing at its home.
-struct Candidate {
-  std::string name;
-  std::function<std::unique_ptr<HapticDevice>(const DeviceDescription&)> make;
-};
-
-class DeviceContract : public testing::TestWithParam<Candidate> {
- protected:
-  DeviceReading run(const DeviceCommand& command, int ticks) {
-    for (int i = 0; i < ticks; ++i) device_->write(command);
-    return device_->read();
-  }
-  static DeviceCommand turning(int joint, double rate) {
-    DeviceCommand command;
-    command.enabled = true;
-    command.jointRates[joint] = rate;
-    return command;
-  }
-
-  DeviceDescription description_ = loadDeviceDescription("vishard10");
-  std::unique_ptr<HapticDevice> device_ = GetParam().make(description_);
-};
+namespace haptiv::test {
 
 TEST_P(DeviceContract, StartsAtItsHome) {
   device_->start(kTick);
@@ -189,12 +155,4 @@ TEST_P(DeviceContract, RefusesAPeriodThatIsNone) {
   }
 }
 
-const Candidate kSimulated{"Simulated", [](const DeviceDescription& description) {
-                             return std::make_unique<SimulatedDevice>(description, description.homeAngles, nullptr, 1);
-                           }};
-
-INSTANTIATE_TEST_SUITE_P(All, DeviceContract, testing::Values(kSimulated),
-                         [](const auto& instance) { return instance.param.name; });
-
-}  // namespace
-}  // namespace haptiv
+}  // namespace haptiv::test

@@ -7,7 +7,7 @@
 
 #include "device/realtime/TripleBuffer.h"
 #include "haptics/realtime/RecordRing.h"
-#include "haptics/realtime/TimeHistogram.h"
+#include "device/realtime/TimeHistogram.h"
 
 namespace haptiv {
 namespace {

@@ -1,4 +1,4 @@
-#include "haptics/realtime/TimeHistogram.h"
+#include "device/realtime/TimeHistogram.h"
 
 #include <algorithm>
 #include <bit>

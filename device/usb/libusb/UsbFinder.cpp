@@ -1,0 +1,96 @@
+#include "device/usb/libusb/UsbFinder.h"
+
+#include <libusb.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <tuple>
+
+#include "device/usb/libusb/UsbFailure.h"
+
+namespace haptiv::usb {
+
+namespace {
+
+/// A string descriptor; empty where there is none. What is not printable ASCII becomes '?'.
+std::string textOf(libusb_device_handle* handle, std::uint8_t index) {
+  if (index == 0) return {};
+  std::array<unsigned char, 256> text{};
+  const int length = libusb_get_string_descriptor_ascii(handle, index, text.data(), static_cast<int>(text.size()));
+  std::string result;
+  for (int i = 0; i < length; ++i) result += text[i] >= ' ' && text[i] <= '~' ? static_cast<char>(text[i]) : '?';
+  return result;
+}
+
+void readTexts(FoundUsb& found, const libusb_device_descriptor& descriptor, const UsbKind& kind) {
+  libusb_device_handle* handle = nullptr;
+  const int opened = libusb_open(found.device.get(), &handle);
+  if (opened < 0) {
+    found.trouble = failureOf(opened, "open", found.describedAs(kind)).what();
+    return;
+  }
+  found.serial = textOf(handle, descriptor.iSerialNumber);
+  found.product = textOf(handle, descriptor.iProduct);
+  libusb_close(handle);
+}
+
+std::optional<FoundUsb> look(libusb_device* device, const UsbKind& kind) {
+  libusb_device_descriptor descriptor{};
+  if (libusb_get_device_descriptor(device, &descriptor) < 0) return std::nullopt;
+  FoundUsb found;
+  found.id = {descriptor.idVendor, descriptor.idProduct};
+  if (std::find(kind.ids.begin(), kind.ids.end(), found.id) == kind.ids.end()) return std::nullopt;
+  found.bus = libusb_get_bus_number(device);
+  found.address = libusb_get_device_address(device);
+  found.highSpeed = libusb_get_device_speed(device) >= LIBUSB_SPEED_HIGH;
+  found.device = {libusb_ref_device(device), libusb_unref_device};
+  readTexts(found, descriptor, kind);
+  return found;
+}
+
+std::string serialsOf(const std::vector<FoundUsb>& all) {
+  std::string text;
+  for (const FoundUsb& found : all)
+    text += (text.empty() ? "" : ", ") + (found.serial.empty() ? std::string("(no number)") : found.serial);
+  return text;
+}
+
+}  // namespace
+
+std::string FoundUsb::describedAs(const UsbKind& kind) const {
+  return "the " + kind.name + (serial.empty() ? "" : " " + serial) + " at bus " + std::to_string(bus) + ", device " +
+         std::to_string(address);
+}
+
+std::vector<FoundUsb> findUsb(const UsbContext& context, const UsbKind& kind) {
+  libusb_device** list = nullptr;
+  const auto count = libusb_get_device_list(context.get(), &list);
+  expectUsb(static_cast<int>(count), "list", "USB devices");
+  std::vector<FoundUsb> all;
+  for (ssize_t i = 0; i < count; ++i)
+    if (std::optional<FoundUsb> found = look(list[i], kind)) all.push_back(std::move(*found));
+  libusb_free_device_list(list, 1);
+  std::sort(all.begin(), all.end(),
+            [](const auto& a, const auto& b) { return std::tie(a.bus, a.address) < std::tie(b.bus, b.address); });
+  return all;
+}
+
+FoundUsb findOne(const UsbContext& context, const UsbKind& kind, const std::string& serial) {
+  const std::vector<FoundUsb> all = findUsb(context, kind);
+  if (all.empty())
+    throw UsbFailure(UsbTrouble::notFound, "there is no " + kind.name + ": plug one in and switch it on");
+  std::vector<FoundUsb> meant;
+  for (const FoundUsb& found : all)
+    if (serial.empty() || found.serial == serial) meant.push_back(found);
+  if (meant.size() == 1 && meant.front().trouble.empty()) return meant.front();
+  for (const FoundUsb& found : meant.empty() ? all : meant)
+    if (!found.trouble.empty()) throw UsbFailure(UsbTrouble::noPermission, found.trouble);
+  if (meant.empty())
+    throw UsbFailure(UsbTrouble::notFound, "there is no " + kind.name + " with the serial number " + serial +
+                                               "; there is: " + serialsOf(all) + ". Choose one of these");
+  throw UsbFailure(UsbTrouble::ambiguous, "there are several of the kind " + kind.name +
+                                              ": choose one by its serial number: " + serialsOf(meant));
+}
+
+}  // namespace haptiv::usb

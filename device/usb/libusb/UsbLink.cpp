@@ -1,0 +1,196 @@
+#include "device/usb/libusb/UsbLink.h"
+
+#include <libusb.h>
+#include <pthread.h>
+
+#include <utility>
+
+#include "device/usb/libusb/UsbFailure.h"
+
+namespace haptiv::usb {
+
+namespace {
+
+constexpr int kPriority = 81;                    // just above the servo, which waits for no one
+constexpr std::chrono::milliseconds kLook{500};  // between attempts to open a device that is there and will not
+
+}  // namespace
+
+/// What libusb's hot-plug callback leaves for the link's thread to do, on which it is called itself.
+struct UsbLink::HotPlug {
+  explicit HotPlug(libusb_context* newContext) : context(newContext) {
+    constexpr int kEvents = LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT;
+    expectUsb(libusb_hotplug_register_callback(context, kEvents, 0, LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY,
+                                               LIBUSB_HOTPLUG_MATCH_ANY, told, this, &registration),
+              "watch for", "USB devices");
+  }
+  ~HotPlug() { libusb_hotplug_deregister_callback(context, registration); }
+  HotPlug(const HotPlug&) = delete;
+  HotPlug& operator=(const HotPlug&) = delete;
+
+  static int LIBUSB_CALL told(libusb_context*, libusb_device* device, libusb_hotplug_event event, void* self) {
+    auto& plug = *static_cast<HotPlug*>(self);
+    if (event == LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED) plug.arrived = true;
+    if (event == LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT && device == plug.mine) plug.left = true;
+    return 0;
+  }
+
+  libusb_context* context;
+  libusb_hotplug_callback_handle registration{};
+  libusb_device* mine = nullptr;
+  bool arrived = false, left = false;
+};
+
+UsbLink::UsbLink(UsbKind kind, std::string serial, UsbClient& client)
+    : kind_(std::move(kind)), serial_(std::move(serial)), client_(client), events_(context_) {}
+
+UsbLink::~UsbLink() {
+  close();
+}
+
+void UsbLink::open() {
+  if (thread_.joinable()) return;
+  hotPlug_ = std::make_unique<HotPlug>(context_.get());
+  try {
+    connect();
+    listen();
+    running_ = true;
+    thread_ = std::thread([this] { run(); });
+  } catch (...) {
+    if (stream_) drain();
+    handle_.reset();
+    hotPlug_.reset();
+    throw;
+  }
+  sched_param parameters{};
+  parameters.sched_priority = kPriority;
+  pthread_setschedparam(thread_.native_handle(), SCHED_FIFO, &parameters);  // as the servo: where it is permitted
+}
+
+void UsbLink::close() {
+  if (!thread_.joinable()) return;
+  running_ = false;
+  events_.wake();
+  thread_.join();
+  hotPlug_.reset();
+}
+
+/// Opens the device and makes it ready; what is open at the end of a failure, the caller closes.
+void UsbLink::connect() {
+  const FoundUsb found = findOne(context_, kind_, serial_);
+  hotPlug_->left = false;
+  hotPlug_->mine = found.device.get();
+  handle_ = std::make_unique<UsbHandle>(found, kind_);
+  endpoints_ = client_.prepare(*handle_);
+  const std::lock_guard lock(mutex_);
+  openedSerial_ = serial_ = found.serial;
+  trouble_.clear();
+}
+
+void UsbLink::run() {
+  while (running_) {
+    step();
+    events_.wait(patience());
+  }
+  if (stream_) drain();
+  handle_.reset();
+  hotPlug_->mine = nullptr;
+}
+
+void UsbLink::step() {
+  if (!stream_) {
+    reconnect();
+  } else if (stream_->lost() || hotPlug_->left) {
+    leave("it was unplugged, or has failed");
+  } else {
+    stream_->recover();
+    stream_->send();
+  }
+  doWork();
+}
+
+/// How long there is nothing to do, if nothing happens.
+std::chrono::milliseconds UsbLink::patience() const {
+  if (!stream_) return kLook;
+  return std::chrono::milliseconds(stream_->lost() || hotPlug_->left ? 0 : -1);
+}
+
+void UsbLink::listen() {
+  stream_ = std::make_unique<UsbStream>(*handle_, endpoints_, client_);
+  stream_->start();
+}
+
+/// Cancels and handles events until every transfer is back: only then may they be freed.
+void UsbLink::drain() {
+  stream_->cancel();
+  while (!stream_->idle()) events_.waitForTransfers();
+  stream_.reset();
+}
+
+void UsbLink::leave(const std::string& why) {
+  client_.lost();
+  drain();
+  const std::string name = handle_->name();
+  handle_.reset();
+  hotPlug_->mine = nullptr;
+  tell(name + ": " + why);
+}
+
+void UsbLink::reconnect() {
+  if (!std::exchange(hotPlug_->arrived, false) && !tryAgain_) return;
+  tryAgain_ = false;
+  try {
+    connect();
+    listen();
+  } catch (const UsbFailure& failure) {
+    handle_.reset();
+    hotPlug_->mine = nullptr;
+    tryAgain_ = failure.trouble() != UsbTrouble::notFound && failure.trouble() != UsbTrouble::wrongDevice;
+    tell(failure.what());
+  }
+}
+
+void UsbLink::betweenStreams(std::function<void(UsbHandle&)> work) {
+  std::future<void> done;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!thread_.joinable()) throw UsbFailure(UsbTrouble::gone, "the " + kind_.name + " is not open: open it first");
+    work_ = Work([name = kind_.name, work = std::move(work)](UsbHandle* handle) {
+      if (handle == nullptr)
+        throw UsbFailure(UsbTrouble::gone, "the " + name + " is not there: plug it in and try again");
+      work(*handle);
+    });
+    done = work_.get_future();
+  }
+  events_.wake();
+  done.get();
+}
+
+void UsbLink::doWork() {
+  Work work;
+  {
+    const std::lock_guard lock(mutex_);
+    work.swap(work_);
+  }
+  if (!work.valid()) return;
+  if (stream_) drain();
+  work(handle_.get());
+  if (handle_) listen();
+}
+
+void UsbLink::tell(const std::string& trouble) {
+  const std::lock_guard lock(mutex_);
+  trouble_ = trouble;
+}
+
+std::string UsbLink::trouble() const {
+  const std::lock_guard lock(mutex_);
+  return trouble_;
+}
+
+std::string UsbLink::serial() const {
+  const std::lock_guard lock(mutex_);
+  return openedSerial_;
+}
+
+}  // namespace haptiv::usb

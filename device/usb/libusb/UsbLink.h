@@ -1,0 +1,83 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "device/usb/libusb/UsbEvents.h"
+#include "device/usb/libusb/UsbStream.h"
+
+namespace haptiv::usb {
+
+/// One device of a kind, kept at hand: opened, streamed by a thread of its own, let go when it leaves, and opened again
+/// when it is plugged in again (the same serial number, whatever the port). One client, several links can exist.
+///
+///     plugged in -> open, claim, client.prepare -> packets
+///     unplugged  -> client.lost, every transfer back, release, close -> waits for the next time
+///
+/// Thread: construct, open, close and destroy on one.
+class UsbLink {
+ public:
+  /// @param serial  of the device; empty: the only one there is
+  UsbLink(UsbKind kind, std::string serial, UsbClient& client);
+  ~UsbLink();
+  UsbLink(const UsbLink&) = delete;
+  UsbLink& operator=(const UsbLink&) = delete;
+
+  /// Throws UsbFailure where the device cannot be used; nothing runs then. Open already: nothing.
+  void open();
+  /// Waits until every transfer is back. Safe to call twice.
+  void close();
+
+  /// The client has something to send. Thread: any. Realtime-safe: one system call that never blocks.
+  void wake() noexcept { events_.wake(); }
+
+  /// Runs `work`, control requests, between two streams, and waits for it; throws what it throws, and UsbFailure where
+  /// no device is there.
+  void betweenStreams(std::function<void(UsbHandle&)> work);
+
+  /// Why the device is not there now; empty: it is. Thread: any, not the servo.
+  std::string trouble() const;
+  /// Serial number of the device that was opened last. Thread: any, not the servo.
+  std::string serial() const;
+
+ private:
+  struct HotPlug;
+  using Work = std::packaged_task<void(UsbHandle*)>;  // null: no device is there
+
+  void connect();
+  void run();
+  void step();
+  std::chrono::milliseconds patience() const;
+  void listen();
+  void drain();
+  void leave(const std::string& why);
+  void reconnect();
+  void doWork();
+  void tell(const std::string& trouble);
+
+  UsbKind kind_;
+  std::string serial_;  // once opened, that of the device
+  UsbClient& client_;
+  UsbContext context_;
+  UsbEvents events_;
+  std::unique_ptr<HotPlug> hotPlug_;
+  std::unique_ptr<UsbHandle> handle_;
+  StreamEndpoints endpoints_;
+  std::unique_ptr<UsbStream> stream_;
+  bool tryAgain_ = false;  // a device may be there
+  std::thread thread_;
+  std::atomic<bool> running_ = false;
+
+  mutable std::mutex mutex_;
+  std::string trouble_;
+  std::string openedSerial_;
+  Work work_;
+};
+
+}  // namespace haptiv::usb

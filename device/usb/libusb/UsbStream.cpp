@@ -1,0 +1,84 @@
+#include "device/usb/libusb/UsbStream.h"
+
+namespace haptiv::usb {
+
+UsbStream::UsbStream(UsbHandle& handle, const StreamEndpoints& endpoints, UsbClient& client)
+    : handle_(handle), endpoints_(endpoints), client_(client) {
+  for (Slot& slot : in_)
+    slot = std::make_unique<UsbTransfer>(handle, endpoints.kind, endpoints.in, endpoints.inSize,
+                                         [this](UsbTransfer& transfer) { back(transfer, true); });
+  if (endpoints.out == 0) return;
+  for (Slot& slot : out_)
+    slot = std::make_unique<UsbTransfer>(handle, endpoints.kind, endpoints.out, endpoints.outSize,
+                                         [this](UsbTransfer& transfer) { back(transfer, false); });
+}
+
+void UsbStream::start() noexcept {
+  for (Slot& slot : in_) listen(*slot);
+}
+
+void UsbStream::listen(UsbTransfer& transfer) noexcept {
+  if (transfer.submit(transfer.size()) != TransferEnd::done) lost_ = true;
+}
+
+/// Whether the transfer may go on its way again at once.
+bool UsbStream::take(const UsbTransfer& transfer) noexcept {
+  const TransferEnd end = transfer.end();
+  if (end == TransferEnd::gone) lost_ = true;
+  if (end == TransferEnd::done) faults_ = 0;
+  if (end == TransferEnd::stalled || end == TransferEnd::tooLong || end == TransferEnd::error) {
+    client_.faulted(end);
+    if (++faults_ >= kMostFaults) lost_ = true;
+  }
+  return !lost_ && !closing_ && end != TransferEnd::stalled;
+}
+
+void UsbStream::back(UsbTransfer& transfer, bool in) noexcept {
+  const bool goesOn = take(transfer);
+  if (transfer.end() == TransferEnd::stalled) (in ? inStalled_ : outStalled_) = true;
+  if (!in) return;
+  if (transfer.end() == TransferEnd::done && !closing_) client_.received(transfer.bytes());
+  if (goesOn && !inStalled_) listen(transfer);
+}
+
+void UsbStream::send() noexcept {
+  if (lost_ || closing_ || endpoints_.out == 0) return;
+  for (Slot& slot : out_) {
+    if (slot->inFlight()) continue;
+    const std::size_t length = outStalled_ ? 0 : client_.send(slot->buffer());
+    if (length > 0 && slot->submit(length) != TransferEnd::done) lost_ = true;
+    return;
+  }
+  client_.skip();
+}
+
+void UsbStream::recover() noexcept {
+  if (lost_ || closing_) return;
+  if (outStalled_) {
+    outStalled_ = false;
+    if (!handle_.clearHalt(endpoints_.out)) lost_ = true;
+  }
+  if (!inStalled_) return;
+  for (const Slot& slot : in_)
+    if (slot->inFlight()) return;  // they come back stalled too
+  inStalled_ = false;
+  if (!handle_.clearHalt(endpoints_.in)) lost_ = true;
+  if (!lost_) start();
+}
+
+void UsbStream::cancel() noexcept {
+  closing_ = true;
+  for (const Slot& slot : in_) slot->cancel();
+  for (const Slot& slot : out_)
+    if (slot) slot->cancel();
+}
+
+bool UsbStream::idle() const noexcept {
+  for (const Slot& slot : in_)
+    if (slot->inFlight()) return false;
+  for (const Slot& slot : out_)
+    if (slot && slot->inFlight()) return false;
+  return true;
+}
+
+}  // namespace haptiv::usb

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "device/usb/libusb/UsbClient.h"
+
+namespace haptiv::usb {
+
+/// Packets in and out of one open device. Four IN transfers are always on their way, so that the bus never waits for
+/// the host; two OUT transfers are there for use, and where both are, the packet is skipped: what is old is never
+/// queued.
+///
+/// A stall is cleared, a damaged or too long packet is let go; after kMostFaults of them in a row the stream gives up.
+/// Thread: the one that handles libusb's events.
+class UsbStream {
+ public:
+  static constexpr int kMostFaults = 100;
+
+  UsbStream(UsbHandle& handle, const StreamEndpoints& endpoints, UsbClient& client);
+  /// It must be idle.
+  ~UsbStream() = default;
+
+  void start() noexcept;
+  /// Sends what the client has, if there is something new.
+  void send() noexcept;
+  /// Clears stalls: no work for a callback.
+  void recover() noexcept;
+  /// The device has left, or does nothing but fail.
+  bool lost() const noexcept { return lost_; }
+  void lose() noexcept { lost_ = true; }
+
+  /// Asks every transfer back; `idle` once all of them are.
+  void cancel() noexcept;
+  bool idle() const noexcept;
+
+ private:
+  using Slot = std::unique_ptr<UsbTransfer>;
+
+  void back(UsbTransfer& transfer, bool in) noexcept;
+  bool take(const UsbTransfer& transfer) noexcept;
+  void listen(UsbTransfer& transfer) noexcept;
+
+  UsbHandle& handle_;
+  StreamEndpoints endpoints_;
+  UsbClient& client_;
+  std::array<Slot, 4> in_;
+  std::array<Slot, 2> out_;  // empty where the device takes none
+  int faults_ = 0;           // in a row
+  bool inStalled_ = false, outStalled_ = false;
+  bool closing_ = false;
+  bool lost_ = false;
+};
+
+}  // namespace haptiv::usb

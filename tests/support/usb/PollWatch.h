@@ -1,0 +1,35 @@
+#pragma once
+
+#include <poll.h>
+
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace haptiv::test {
+
+/// Knows which threads sleep in poll and for what, so that a test with a clock of its own can tell when everything that
+/// its last step set off has been done. Thread: any.
+class PollWatch {
+ public:
+  /// A poll that is watched.
+  int poll(pollfd* descriptors, nfds_t count, int timeout);
+  /// Every thread that has ever slept in poll, but the caller, sleeps there now, with nothing to wake it; and each of
+  /// these descriptors is waited for by one.
+  bool quiet(const std::vector<int>& attended) const;
+  /// The calling thread ends.
+  void forget(std::thread::id thread);
+
+ private:
+  struct Sleeper {
+    std::thread::id thread;
+    bool asleep = false;
+    std::vector<pollfd> awaits;
+  };
+  Sleeper& of(std::thread::id thread);
+
+  mutable std::mutex mutex_;
+  std::vector<Sleeper> sleepers_;
+};
+
+}  // namespace haptiv::test

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <list>
+#include <memory>
+
+#include "tests/support/usb/LineFaults.h"
+#include "tests/support/usb/UsbFile.h"
+#include "tests/support/usb/VirtualUsbDevice.h"
+
+namespace haptiv::test {
+
+/// Where a virtual device is plugged in: what the kernel's usbfs and the host controller do for it. Every ioctl of
+/// libusb ends here. Thread: under the bus's lock.
+class VirtualPort {
+ public:
+  VirtualPort(std::shared_ptr<VirtualUsbDevice> device, int address);
+
+  int address() const { return address_; }
+  const UsbDescriptors& descriptors() const { return descriptors_; }
+  std::int64_t interval() const { return descriptors_.speed == UsbSpeed::high ? 125 : 1000; }  ///< [us]
+
+  /// A new opening's file descriptor.
+  int open();
+  /// Whether it was an opening of this device.
+  bool close(int descriptor);
+  bool has(int descriptor) const { return fileOf(descriptor) != nullptr; }
+  /// Zero, or the error number.
+  int control(int descriptor, unsigned long request, void* argument);
+
+  /// The files that have transfers on their way: somebody is to wait for them.
+  std::vector<int> awaited() const;
+  /// One interval of the bus.
+  void tick();
+  void unplug();
+  bool plugged() const { return plugged_; }
+
+  LineFaults faults;
+  bool permitted = true;  ///< the user may open it
+
+ private:
+  UsbFile* fileOf(int descriptor) const;
+  UsbFile* waiting(std::uint8_t endpoint, usbdevfs_urb*& urb) const;
+  int claim(UsbFile& file, unsigned interface);
+  int submit(UsbFile& file, usbdevfs_urb* urb);
+  int reap(UsbFile& file, void* argument);
+  void answer(UsbFile& file, usbdevfs_urb* urb);
+  std::optional<Bytes> standard(const UsbSetup& setup) const;
+  void tickOut(const UsbEndpoint& endpoint);
+  void tickIn(const UsbEndpoint& endpoint);
+  std::optional<Bytes> nextPacket(std::uint8_t endpoint);
+  void bring(UsbFile& file, usbdevfs_urb* urb, const Bytes& packet);
+
+  std::shared_ptr<VirtualUsbDevice> device_;
+  UsbDescriptors descriptors_;
+  int address_;
+  bool plugged_ = true;
+  std::list<std::unique_ptr<UsbFile>> files_;
+  std::set<std::uint8_t> halted_;
+  std::optional<Bytes> held_;  // the packet that is overtaken, or comes again
+};
+
+}  // namespace haptiv::test
