@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <thread>
+#include <utility>
 
 #include "device/usb/falcon/FalconDevice.h"
 #include "tests/device/usb/falcon/VirtualFalcon.h"
@@ -101,7 +102,7 @@ class BenchedFalcon : public HapticDevice {
     if (beforePlugging) beforePlugging(usb_->falcon);
     port_ = &bus_.plug(usb_);
   }
-  void unplug() { bus_.unplug(*port_); }
+  void unplug() { bus_.unplug(*std::exchange(port_, nullptr)); }
 
   VirtualFalcon& falcon() { return usb_->falcon; }
   FalconDevice& device() { return *device_; }
