@@ -5,6 +5,7 @@
 
 #include "device/usb/falcon/FalconBoot.h"
 #include "device/usb/falcon/FalconPort.h"
+#include "device/usb/libusb/UsbFailure.h"
 
 namespace haptiv::falcon {
 namespace {
@@ -22,7 +23,13 @@ Client::Client(const DeviceDescription& description, Firmware firmware)
 
 usb::StreamEndpoints Client::prepare(usb::UsbHandle& handle) {
   Port port(handle);
-  boot(port, firmware_);
+  try {
+    boot(port, firmware_);
+  } catch (const usb::UsbFailure&) {
+    throw;
+  } catch (const std::exception& error) {  // the link knows failures of USB alone
+    throw usb::UsbFailure(usb::UsbTrouble::other, error.what());
+  }
   stream_.restart();
   last_.state = {};
   last_.homing = Homing::searching;

@@ -102,6 +102,7 @@ class BenchedFalcon : public HapticDevice {
     if (beforePlugging) beforePlugging(usb_->falcon);
     port_ = &bus_.plug(usb_);
   }
+  void loseFirmwareFile() { std::filesystem::remove(firmware_); }
   void unplug() { bus_.unplug(*std::exchange(port_, nullptr)); }
 
   VirtualFalcon& falcon() { return usb_->falcon; }

@@ -95,6 +95,23 @@ TEST_F(FalconOverUsb, AFewLostOrDamagedAnswersAreBorne) {
   EXPECT_FALSE(isStill());
 }
 
+TEST_F(FalconOverUsb, FaultsOfTheLineAreBorne) {
+  using haptiv::test::LineFaults;
+  bench_.start(kTick);
+  push(0.005, 10);
+  for (int LineFaults::*const fault :
+       {&LineFaults::lose, &LineFaults::corrupt, &LineFaults::shorten, &LineFaults::lengthen, &LineFaults::damage,
+        &LineFaults::babble, &LineFaults::stallIn, &LineFaults::stallOut, &LineFaults::loseOut, &LineFaults::repeatOut,
+        &LineFaults::corruptOut}) {
+    bench_.port().faults.*fault = 1;
+    push(0.005, 12);
+    EXPECT_EQ(bench_.port().faults.*fault, 0) << "it befell";
+    EXPECT_TRUE(push(0.005, 12).connected);
+    EXPECT_FALSE(isStill()) << "it goes on";
+  }
+  EXPECT_LE(bench_.falcon().largestMotor(), 4096);
+}
+
 TEST_F(FalconOverUsb, ASilentFalconIsNotThereUntilItSpeaksAgain) {
   bench_.start(kTick);
   push(0.02, 10);
@@ -160,6 +177,18 @@ TEST_F(FalconOverUsb, UnpluggedInFlightItIsGoneAndPluggedInAgainItIsSetUpAnew) {
   EXPECT_TRUE(back);
   EXPECT_EQ(bench_.falcon().firmware(), Bytes(4096, 0x7f));
   EXPECT_EQ(bench_.falcon().largestMotor(), 0);
+}
+
+TEST_F(FalconOverUsb, PluggedInAgainWithoutItsFirmwareItStaysAway) {
+  bench_.start(kTick);
+  push(0.02, 10);
+  bench_.unplug();
+  push(0.02, 2);
+  bench_.loseFirmwareFile();
+  bench_.plug();
+  bench_.whileTheBusRuns([] { std::this_thread::sleep_for(std::chrono::seconds(1)); });
+  EXPECT_FALSE(push(0.02, 5).connected);
+  EXPECT_EQ(bench_.falcon().orders(), 0u);
 }
 
 TEST_F(FalconOverUsb, AServoThatStopsLeavesNoTorqueStanding) {
