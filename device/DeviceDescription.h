@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,6 +9,7 @@
 #include "device/control/ControlChoice.h"
 #include "device/dynamics/ArmBodies.h"
 #include "device/kinematics/ChainGeometry.h"
+#include "device/kinematics/DeltaGeometry.h"
 #include "device/redundancy/RedundancySettings.h"
 #include "device/types.h"
 
@@ -117,13 +119,22 @@ struct SafetyThresholds {
   double missedTime = 0.5;         ///< that the servo may miss within a second [s]; beyond: fault
 };
 
+/// What a device measures and what it is told, by which it can be driven.
+enum class DeviceType : std::uint8_t {
+  admittance,  ///< senses the hand's force at the handle; its drives follow rates or torques
+  impedance,   ///< has no force sensor, and drives that follow torques alone: light, and moved by the hand
+};
+
 /// Everything the program knows of one device: data, never code.
 ///
 /// Read from a TOML file with `schema = 1`: docs/device.md tells every key.
 struct DeviceDescription {
   std::string name = "vishard10";
-  LinkLengths links;    ///< of VISHARD10
-  ChainGeometry chain;  ///< of any other arm; without joints the arm is a VISHARD10
+  DeviceType type = DeviceType::admittance;
+  LinkLengths links;                   ///< of VISHARD10
+  ChainGeometry chain;                 ///< of any other serial arm; without joints the arm is a VISHARD10 ...
+  std::optional<DeltaGeometry> delta;  ///< ... or a parallel arm
+  FalconWiring falcon;                 ///< of a parallel arm that is a Novint Falcon
   Pose tool;            ///< X_CT: the tool, in the frame of the wrist centre
   ArmBodies bodies;     ///< of the links; empty where they are not known
   JointDrives drives;
@@ -136,7 +147,11 @@ struct DeviceDescription {
   JointVector homeAngles = JointVector::Zero();  ///< gives orientation and elbow side at the start of a session
   std::string text;                              ///< the file it came from, for the session log
 
-  int jointCount() const { return chain.joints.empty() ? kJointCount : static_cast<int>(chain.joints.size()); }
+  bool isVishard10() const { return chain.joints.empty() && !delta; }
+  int jointCount() const {
+    if (delta) return DeltaGeometry::kLegs;
+    return chain.joints.empty() ? kJointCount : static_cast<int>(chain.joints.size());
+  }
 
   /// Joint angles [rad] that the encoders report. Realtime-safe: yes.
   JointVector jointAngles(const DeviceReading& reading) const noexcept;

@@ -10,21 +10,19 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-bool faulty(Session& session) {
-  TickRecord record;
-  return session.newest(record) && record.faults != kNoFault;
-}
-
 }  // namespace
 
-LiveRun runLive(const SessionSetup& setup, double seconds) {
-  constexpr std::chrono::nanoseconds kLook = std::chrono::milliseconds(50);
+LiveRun runLive(const SessionSetup& setup, double seconds, const LiveOperator& lead) {
+  const std::chrono::nanoseconds look = std::chrono::milliseconds(lead ? 10 : 50);
   const HeldSignals signals;
   Session session(setup);
+  TickRecord record;
   const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   for (auto now = Clock::now(); now < end; now = Clock::now()) {
-    if (signals.pending(std::min<std::chrono::nanoseconds>(kLook, end - now))) break;
-    if (faulty(session) || !session.logTrouble().empty()) break;
+    if (signals.pending(std::min<std::chrono::nanoseconds>(look, end - now))) break;
+    const bool isNew = session.newest(record);
+    if (isNew && lead) lead(session, record);
+    if ((isNew && record.faults != kNoFault) || !session.logTrouble().empty()) break;
   }
   LiveRun run;
   run.scheduling = session.scheduling().explanation;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "app/session/Session.h"
@@ -14,9 +15,12 @@ struct LiveRun {
   std::string logTrouble;  ///< empty: none
 };
 
+/// Leads the live hand of a session, a hundred times a second; gets its newest tick.
+using LiveOperator = std::function<void(Session& session, const TickRecord& newest)>;
+
 /// Runs a session in real time for `seconds`, or until Ctrl-C, SIGTERM, a fault of the arm or trouble with the log;
 /// the log is closed in every case. Throws what Session throws.
 /// Thread: main, before any other is started, for the signals are to come here.
-LiveRun runLive(const SessionSetup& setup, double seconds);
+LiveRun runLive(const SessionSetup& setup, double seconds, const LiveOperator& lead = {});
 
 }  // namespace haptiv

@@ -9,6 +9,7 @@
 #include "app/commands/LiveRun.h"
 #include "app/commands/LoadedScene.h"
 #include "app/commands/Picture.h"
+#include "app/commands/RunPeople.h"
 #include "app/commands/SessionReport.h"
 #include "app/session/FlightRecorder.h"
 #include "app/session/HandFile.h"
@@ -22,15 +23,17 @@ namespace haptiv {
 namespace {
 
 constexpr Range kRates{kLowestServoRate, kHighestServoRate};
-constexpr Range kSpins{0, 1000};           // [us]
-constexpr Range kLengths{0, 86400, true};  // [s], up to a day
-constexpr double kSecondsAtRest = 5;       // of a session without a hand file
-constexpr double kSecondsToSettle = 1;     // after the end of a hand file
+constexpr Range kSpins{0, 1000};             // [us]
+constexpr Range kLengths{0, 86400, true};    // [s], up to a day
+constexpr double kSecondsAtRest = 5;         // of a session without a hand file
+constexpr double kSecondsToSettle = 1;       // after the end of a hand file
+constexpr double kSecondsOfAPerson = 86400;  // of a session that somebody leads, and ends
 
 /// Empty paths: not asked for.
 struct RunOptions {
   std::string scene;
   std::string device = "sim";
+  std::string firmware;  // of a Falcon; empty: where it is looked for
   std::string hand = "rest";
   std::optional<double> seconds;  // none: as long as the hand file, and a second more
   double rate = 1000;             // [Hz]
@@ -53,8 +56,18 @@ void refuseWhatIsNotThere(const RunOptions& options) {
   if (options.device == "usb" || options.device.starts_with("usb:"))
     throw CommandFailure(
         kCouldNot, "--device " + options.device + ": this version drives the simulated arm only; use --device sim");
-  if (options.device != "sim")
-    throw CommandFailure(kWrongUsage, "--device " + options.device + ": there is no such device; use --device sim");
+  if (options.device != "sim" && !isFalcon(options.device))
+    throw CommandFailure(kWrongUsage,
+                         "--device " + options.device + ": there is no such device; use --device sim or falcon");
+}
+
+// A person moves it, and time is that person's.
+void refuseWhatNoPersonCanDo(const RunOptions& options) {
+  if (options.fast && (isFalcon(options.device) || isSpaceMouse(options.hand)))
+    throw CommandFailure(kWrongUsage, "--fast: a person cannot keep up with it; leave --fast out");
+  if (isFalcon(options.device) && options.hand != "rest")
+    throw CommandFailure(kWrongUsage, "--hand " + options.hand +
+                                          ": is for the simulated arm, a Falcon is held by a real one; leave it out");
 }
 
 // What is asked for; where nothing is, what the device description says.
@@ -83,7 +96,9 @@ SessionSetup setUp(const RunOptions& options, const LoadedScene& loaded) {
   setup.description = loaded.device;
   setup.rate = options.rate;
   setup.spin = std::chrono::nanoseconds(std::llround(1000 * options.spin));
-  if (options.hand != "rest") {
+  if (isFalcon(options.device)) setup.device = falconOf(options.device, options.firmware, loaded.device);
+  setup.liveHand = isSpaceMouse(options.hand);
+  if (options.hand != "rest" && !isSpaceMouse(options.hand)) {
     requireReadable(options.hand);
     setup.hand = readHandFile(options.hand);
   }
@@ -98,6 +113,7 @@ double lengthOf(const RunOptions& options, const SessionSetup& setup) {
       throw CommandFailure(kWrongUsage, "--seconds: shorter than one tick; give more");
     return *options.seconds;
   }
+  if (isFalcon(options.device) || isSpaceMouse(options.hand)) return kSecondsOfAPerson;
   return setup.hand.empty() ? kSecondsAtRest : setup.hand.back().time + kSecondsToSettle;
 }
 
@@ -112,7 +128,7 @@ struct Outcome {
 Outcome run(const RunOptions& options, const SessionSetup& setup) {
   const double seconds = lengthOf(options, setup);
   if (options.fast) return {runFast(setup, seconds), {}, {}, {}};
-  LiveRun live = runLive(setup, seconds);
+  LiveRun live = runLive(setup, seconds, operatorOf(options.hand, setup));
   return {std::move(live.summary), std::move(live.scheduling), std::move(live.timing), std::move(live.logTrouble)};
 }
 
@@ -133,6 +149,7 @@ std::string whereToLook(const SessionSummary& summary) {
 
 int runSession(const RunOptions& options) {
   refuseWhatIsNotThere(options);
+  refuseWhatNoPersonCanDo(options);
   initSceneGraph();
   const LoadedScene loaded = loadScene(options.scene, {options.solid, options.rate});
   tell(loaded.diagnostics);
@@ -164,13 +181,19 @@ void addRunCommand(const Command& program) {
   const auto options = std::make_shared<RunOptions>();
   const Command run = program.add("run", "Run a session without a window", [options] { return runSession(*options); });
   run.path("SCENE", options->scene, "Scene to be felt (.iv)").required();
-  run.text("--device", options->device, "The arm: sim").type("NAME").showDefault();
+  run.text("--device", options->device, "The arm: sim, or falcon (falcon:SERIAL), a Novint Falcon over USB")
+      .type("NAME")
+      .showDefault();
+  run.path("--firmware", options->firmware,
+           "The Falcon's firmware, which its driver package holds; without this, ~/.local/share/haptiv/falcon.bin")
+      .type("FILE");
   run.path("--hand", options->hand,
-           "Where the hand wants the ball, over time: a CSV file with the columns t,x,y,z in s and m, or rest: nobody "
-           "holds the ball")
+           "Where the hand wants the ball, over time: a CSV file with the columns t,x,y,z in s and m; rest: nobody "
+           "holds the ball; spacemouse or spacemouse:position: a SpaceMouse, whose cap says how fast or how far")
       .type("FILE.csv")
       .showDefault();
-  run.number("--seconds", options->seconds, kLengths, "How long; as long as the hand file and 1 s more, or 5 s")
+  run.number("--seconds", options->seconds, kLengths,
+             "How long; as long as the hand file and 1 s more, or 5 s; until Ctrl-C where a person leads")
       .type("S");
   run.number("--rate", options->rate, kRates, "Ticks per second, 500 to 8000").type("HZ").showDefault();
   run.number(

@@ -18,6 +18,10 @@ std::shared_ptr<const HapticScene> withControl(std::shared_ptr<const HapticScene
 }
 
 void expectControllable(const ControlChoice& choice, const DeviceDescription& description) {
+  if (choice.display != DisplayMode::impedance && description.type == DeviceType::impedance)
+    throw std::runtime_error("the device " + description.name +
+                             " has no sensor for the hand's force and no drives that follow rates, so it can only show "
+                             "forces: choose impedance");
   if (choice.joints == JointController::computedTorque && description.bodies.links.empty())
     throw std::runtime_error("computed torque needs the links of the arm " + description.name +
                              " as rigid bodies, which its description does not tell: add [[bodies.link]] for each "

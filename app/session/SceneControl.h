@@ -16,7 +16,8 @@ std::shared_ptr<const HapticScene> withControl(std::shared_ptr<const HapticScene
                                                const std::optional<ControlChoice>& choice);
 
 /// Throws std::runtime_error where this arm cannot be driven so: what is missing, and what to do. Computed torque needs
-/// the links' bodies, and the impedance display, which commands torques itself, no joint controller.
+/// the links' bodies, and the impedance display, which commands torques itself, no joint controller; a device of the
+/// impedance type knows that display alone.
 void expectControllable(const ControlChoice& choice, const DeviceDescription& description);
 
 }  // namespace haptiv

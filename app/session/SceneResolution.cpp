@@ -18,7 +18,7 @@ std::shared_ptr<const HapticScene> withResolution(std::shared_ptr<const HapticSc
 }
 
 void expectResolvable(const ResolutionChoice& choice, const DeviceDescription& description) {
-  if (choice.solution == Solution::partitioned && !description.chain.joints.empty())
+  if (choice.solution == Solution::partitioned && !description.isVishard10())
     throw std::runtime_error("the arm " + description.name +
                              " has no partitioned solution: only VISHARD10's position and orientation come apart; "
                              "choose the full one");

@@ -17,6 +17,11 @@ std::unique_ptr<HandSource> handFor(const SessionSetup& setup, const std::shared
   return scriptedHand(setup);
 }
 
+std::unique_ptr<HapticDevice> deviceFor(const SessionSetup& setup, const std::shared_ptr<LiveHand::Seam>& seam) {
+  if (setup.device) return setup.device();
+  return simulatedDevice(setup, handFor(setup, seam));
+}
+
 bool samePlacement(const DevicePlacement& a, const DevicePlacement& b) {
   return a.description == b.description && a.position == b.position && a.rotation == b.rotation && a.scale == b.scale;
 }
@@ -28,7 +33,7 @@ struct Session::Parts {
       : scene(setup.scene),
         text(setup.sceneText),
         description(setup.description),
-        device(simulatedDevice(setup, handFor(setup, hand))),
+        device(deviceFor(setup, hand)),
         seams(setup.rate),
         loop(*device, setup.description, {setup.rate, setup.spin}, seams) {
     seams.scene.write(scene);
@@ -48,6 +53,7 @@ struct Session::Parts {
   void moveHand() {
     HandTarget target;
     if (wanted) target = {true, placeInBase(scene->device, *wanted)};
+    if (wanted && wantedRotation) target.orientation = scene->device.rotation.transpose() * *wantedRotation;
     target.inputs = static_cast<std::uint16_t>(pressed | (wanted ? kInputDeadMan : 0));
     hand->write(target);
   }
@@ -60,10 +66,11 @@ struct Session::Parts {
   std::shared_ptr<const HapticScene> scene;  // newest that was published
   std::string text;                          // its own
   DeviceDescription description;
-  std::optional<Vector3> wanted;  // p_WH of the live hand
-  std::uint16_t pressed = 0;      // by the live operator
+  std::optional<Vector3> wanted;          // p_WH of the live hand
+  std::optional<Matrix3> wantedRotation;  // R_WH of the same
+  std::uint16_t pressed = 0;              // by the live operator
   std::shared_ptr<LiveHand::Seam> hand = std::make_shared<LiveHand::Seam>();
-  std::unique_ptr<SimulatedDevice> device;
+  std::unique_ptr<HapticDevice> device;
   ServoSeams seams;
   ServoLoop loop;
   Scheduling scheduling;
@@ -112,8 +119,9 @@ void Session::chooseResolution(const ResolutionChoice& choice) {
   parts_->publishNewest();
 }
 
-void Session::moveHand(const std::optional<Vector3>& p_WH) {
+void Session::moveHand(const std::optional<Vector3>& p_WH, const std::optional<Matrix3>& R_WH) {
   parts_->wanted = p_WH;
+  parts_->wantedRotation = R_WH;
   parts_->moveHand();
 }
 

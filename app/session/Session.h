@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,8 +24,11 @@ struct SessionSetup {
   double rate = 1000;                                ///< [Hz]
   std::chrono::nanoseconds spin = ServoPace().spin;  ///< how long before each tick the servo is awake
   std::uint64_t seed = 1;
-  std::vector<HandWaypoint> hand;            ///< in W; empty: the hand lets go (or is live)
-  bool liveHand = false;                     ///< the hand is moved by moveHand, as by the mouse
+  std::vector<HandWaypoint> hand;  ///< in W; empty: the hand lets go (or is live)
+  bool liveHand = false;           ///< the hand is moved by moveHand, as by the mouse
+  /// Makes the device that the session drives; none: the simulated arm. A real one has a real hand: the others are not
+  /// asked then.
+  std::function<std::unique_ptr<HapticDevice>()> device;
   std::optional<std::filesystem::path> log;  ///< none: nothing is recorded
   /// Where to put the last ticks before a fault (FlightRecorder); none: beside the log, or nowhere without a log.
   std::optional<std::filesystem::path> flights;
@@ -69,7 +73,8 @@ class Session {
   /// Throws std::runtime_error where the arm cannot be resolved so; what was chosen before stays.
   void chooseResolution(const ResolutionChoice& choice);
   /// Where the live hand wants the ball, in W; nothing: it lets go. A hand on the handle presses its dead-man's button.
-  void moveHand(const std::optional<Vector3>& p_WH);
+  /// @param R_WH  how it wants to hold the handle; nothing: as it stood when the hand took hold of it
+  void moveHand(const std::optional<Vector3>& p_WH, const std::optional<Matrix3>& R_WH = {});
   /// What else the operator of the live hand presses: OperatorInput bits.
   void press(std::uint16_t inputs);
   /// The newest tick, for the display; true if there was a new one since the last call.

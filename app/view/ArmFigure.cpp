@@ -24,6 +24,7 @@ constexpr std::array<float, 4> kScaraWidth = {0.05F, 0.045F, 0.04F, 0.035F};
 constexpr float kScaraThickness = 0.024F;
 constexpr std::array<float, 5> kTubeRadius = {0.013F, 0.012F, 0.010F, 0.010F, 0.006F};  // forearm .. rod to the ball
 constexpr std::array<float, 9> kHousingRadius = {0.04F, 0.034F, 0.031F, 0.028F, 0.025F, 0.016F, 0.018F, 0.018F, 0.016F};
+constexpr float kLegRadius = 0.003F;    // of a parallel arm
 constexpr float kScaraHousing = 0.05F;  // heights
 constexpr float kLiftHousing = 0.04F;
 const SbColor kGloss(0.30F, 0.32F, 0.34F);
@@ -85,14 +86,16 @@ SoTransform* ArmFigure::addSolid(SoSeparator* parent, SoNode* shape) {
 
 // Anew where the arm is of another kind.
 void ArmFigure::build() {
-  const std::pair<bool, int> kind{isScara(), kinematics_.skeleton(JointVector::Zero()).count};
+  const std::pair kind{isScara() ? 1 : isDelta() ? 2 : 3, kinematics_.skeleton(JointVector::Zero()).count};
   if (built_ == kind) return;
   built_ = kind;
   for (SoSeparator* group : {castings_, tubes_})
     while (group->getNumChildren() > 1) group->removeChild(1);  // all but the material
   links_.clear();
   joints_.clear();
+  post_ = nullptr;
   addLinks(kind.second - 1);
+  if (isDelta()) return;  // its motors are behind the base plate, and it hangs from nothing
   addJoints(isScara() ? static_cast<int>(kHousingRadius.size()) : kinematics_.jointCount());
   post_ = addSolid(castings_, tube(kHousingRadius[0] * 0.8F));
 }
@@ -100,7 +103,8 @@ void ArmFigure::build() {
 void ArmFigure::addLinks(int count) {
   const int plates = isScara() ? static_cast<int>(kScaraWidth.size()) : 0;
   for (int i = 0; i < plates; ++i) links_.push_back(addSolid(tubes_, plate(kScaraWidth[i], kScaraThickness)));
-  for (int i = 0; i < count - plates; ++i) links_.push_back(addSolid(tubes_, tube(at(kTubeRadius, i))));
+  for (int i = 0; i < count - plates; ++i)
+    links_.push_back(addSolid(tubes_, tube(isDelta() ? kLegRadius : at(kTubeRadius, i))));
 }
 
 void ArmFigure::addJoints(int count) {
@@ -155,7 +159,8 @@ void ArmFigure::place(SoTransform* solid, const Vector3& from, const Vector3& to
 void ArmFigure::showLinks(const ArmSkeleton& p_W) const {
   const Vector3 up = placement_.rotation.col(2);
   for (std::size_t i = 0; i < links_.size(); ++i) place(links_[i], p_W.at[i], p_W.at[i + 1], up);
-  place(post_, p_W.at[0], p_W.at[0] + kPostLength * placement_.scale * up, placement_.rotation.col(0));
+  if (post_ != nullptr)
+    place(post_, p_W.at[0], p_W.at[0] + kPostLength * placement_.scale * up, placement_.rotation.col(0));
 }
 
 // Half of the housing lies to either side of the joint.

@@ -15,7 +15,8 @@ namespace haptiv {
 
 /// The arm as solids. VISHARD10: four flat SCARA links hanging from a post, the column down to the plane of the hand,
 /// and the lifting links with the rod to the ball. Any other chain: tubes from joint to joint, and housings along the
-/// axes. Slim and translucent, for it comes from above and must not hide the ball. Thread: GUI.
+/// axes. A parallel arm: its legs. Slim and translucent, for it comes from above and must not hide the ball. Thread:
+/// GUI.
 class ArmFigure {
  public:
   ArmFigure();
@@ -33,6 +34,7 @@ class ArmFigure {
   SoMaterial* addMaterial(SoSeparator* parent, const SbColor& color);
   SoTransform* addSolid(SoSeparator* parent, SoNode* shape);
   bool isScara() const { return kinematics_.vishard10() != nullptr; }
+  bool isDelta() const { return kinematics_.delta() != nullptr; }
   void showLinks(const ArmSkeleton& p_W) const;
   void showScaraJoints(const ArmSkeleton& p_W) const;
   void showChainJoints(const ArmSkeleton& p_W, const JointVector& q) const;
@@ -42,7 +44,7 @@ class ArmFigure {
 
   ArmKinematics kinematics_{DeviceDescription{}};
   DevicePlacement placement_;
-  std::pair<bool, int> built_;  // what the solids are for: VISHARD10 or not, how many points in the skeleton
+  std::pair<int, int> built_;  // what the solids are for: which kind of arm, how many points in the skeleton
   NodeRef<SoSeparator> root_;
   SoSeparator* castings_;
   SoSeparator* tubes_;

@@ -195,6 +195,10 @@ bool SceneView::isFromAbove() const {
   return parts_->camera.isFromAbove();
 }
 
+double SceneView::heading() const {
+  return parts_->camera.heading();
+}
+
 void SceneView::viewAll() {
   SoGetBoundingBoxAction bounds(parts_->region());
   bounds.apply(parts_->scene);

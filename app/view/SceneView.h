@@ -36,6 +36,8 @@ class SceneView : public QWidget {
   void viewFromAbove();
   void viewFreely();
   bool isFromAbove() const;
+  /// Of the look, about z: 0 looks along y [rad].
+  double heading() const;
   void viewAll();
   /// As the scene's own first camera looks; all of the scene where it has none.
   void viewAsMeant();

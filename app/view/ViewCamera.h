@@ -51,6 +51,8 @@ class ViewCamera {
   QPointF toPixel(const Vector3& p_W, const QSize& picture) const;
   /// Size of a pixel at this place [m].
   double metresPerPixel(const Vector3& p_W, const QSize& picture) const;
+  /// About z; 0 looks along y, with x to the right [rad].
+  double heading() const { return fromAbove_ ? 0 : heading_; }
   /// Unit length, into the picture.
   Vector3 direction() const;
 

@@ -70,6 +70,7 @@ void MainWindow::connectParts() {
           [this](const QString& trouble) { parts_->status->showTrouble(tr("the log: %1").arg(trouble)); });
   connect(p.session, &SessionControl::stopped, this, [this] { enterReplay(parts_->session->logPath()); });
   connect(p.session, &SessionControl::ticked, this, [this](const TickRecord& record) {
+    parts_->session->setHeading(parts_->view->heading());
     parts_->view->overlay().show(record);
     parts_->view->redraw();
     parts_->plots->append(record);
@@ -85,8 +86,11 @@ void MainWindow::connectParts() {
   connect(p.timing, &TimingPanel::rateChosen, p.document, &SceneDocument::judgeAt);
 
   connect(p.control, &ControlMenu::chosen, p.session, &SessionControl::chooseControl);
-  connect(p.session, &SessionControl::started, p.control, [this] { parts_->control->setEnabled(false); });
-  connect(p.session, &SessionControl::stopped, p.control, [this] { parts_->control->setEnabled(true); });
+  connect(p.heldBy, &HandMenu::chosen, p.session, &SessionControl::chooseHand);
+  for (QMenu* menu : {static_cast<QMenu*>(p.control), static_cast<QMenu*>(p.heldBy)}) {
+    connect(p.session, &SessionControl::started, menu, [menu] { menu->setEnabled(false); });
+    connect(p.session, &SessionControl::stopped, menu, [menu] { menu->setEnabled(true); });
+  }
 
   connect(p.hand, &QAction::toggled, this, [this](bool hand) {
     parts_->view->setLeftButton(hand ? SceneView::LeftButton::hand : SceneView::LeftButton::select);

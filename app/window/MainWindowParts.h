@@ -17,6 +17,7 @@
 #include "app/window/ReplayStage.h"
 #include "app/window/SessionControl.h"
 #include "app/window/SessionStatus.h"
+#include "app/window/operator/HandMenu.h"
 #include "app/window/operator/OperatorKeys.h"
 
 namespace haptiv {
@@ -29,6 +30,7 @@ struct MainWindow::Parts {
         editor(new Editor(*document, *view, &window)),
         session(new SessionControl(*document, &window)),
         control(new ControlMenu(&window)),
+        heldBy(new HandMenu(&window)),
         operatorKeys(new OperatorKeys(window)),
         plots(new LivePlots(&window)),
         dexterity(new DexterityPanel(&window)),
@@ -41,6 +43,7 @@ struct MainWindow::Parts {
   Editor* editor;
   SessionControl* session;
   ControlMenu* control;
+  HandMenu* heldBy;
   OperatorKeys* operatorKeys;
   LivePlots* plots;
   DexterityPanel* dexterity;

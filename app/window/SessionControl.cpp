@@ -7,6 +7,7 @@
 
 #include "app/session/SceneControl.h"
 #include "app/session/SceneResolution.h"
+#include "app/session/SpaceMouseOperator.h"
 #include "app/window/LogFolder.h"
 
 namespace haptiv {
@@ -27,6 +28,10 @@ struct SessionControl::Parts {
   DeviceDescription description;
   std::optional<ResolutionChoice> resolution;
   std::optional<ControlChoice> control;
+  HandInput handInput;
+  std::unique_ptr<SpaceMouseOperator> spaceMouse;  // while it leads a session's hand
+  double heading = 0;                              // [rad]
+  std::uint16_t keys = 0;                          // pressed at the keyboard
   QString logPath;
   QString toldTrouble;
   std::string text;         // of the scene as it was when the last command had been done
@@ -52,6 +57,21 @@ struct SessionControl::Parts {
     document.noteChange();
   }
 
+  void lead(const TickRecord& newest) {
+    if (!spaceMouse) return;
+    const SpaceMouseHand::Wish wish = spaceMouse->wish(newest, heading);
+    session->moveHand(wish.place, wish.rotation);
+    session->press(keys | wish.inputs);
+  }
+
+  void open() {
+    const SessionSetup chosen = setup();
+    if (handInput)
+      spaceMouse = std::make_unique<SpaceMouseOperator>(*handInput, chosen.description, chosen.scene->device);
+    session = std::make_unique<Session>(chosen);
+    scheduling = session->scheduling();
+  }
+
   SessionSetup setup() {
     SessionSetup setup;
     setup.scene = withControl(withResolution(document.compiled().scene, resolution), control);
@@ -71,7 +91,10 @@ SessionControl::SessionControl(SceneDocument& document, QObject* parent)
   parts_->display.setInterval(16);
   connect(&parts_->display, &QTimer::timeout, this, [this] {
     TickRecord record;
-    if (parts_->session->newest(record)) emit ticked(record);
+    if (parts_->session->newest(record)) {
+      parts_->lead(record);
+      emit ticked(record);
+    }
     const QString trouble = QString::fromStdString(parts_->session->logTrouble());
     if (trouble != parts_->toldTrouble) emit troubled(parts_->toldTrouble = trouble);
   });
@@ -140,6 +163,14 @@ void SessionControl::chooseResolution(const ResolutionChoice& choice) {
   }
 }
 
+void SessionControl::chooseHand(const HandInput& input) {
+  parts_->handInput = input;
+}
+
+void SessionControl::setHeading(double heading) {
+  parts_->heading = heading;
+}
+
 void SessionControl::start() {
   if (isRunning()) return;
   const CompiledScene& compiled = parts_->document.compiled();
@@ -150,9 +181,9 @@ void SessionControl::start() {
   try {
     parts_->takeText();
     parts_->logPath = newLogPath(parts_->document.path());
-    parts_->session = std::make_unique<Session>(parts_->setup());
-    parts_->scheduling = parts_->session->scheduling();
+    parts_->open();
   } catch (const std::exception& error) {
+    parts_->spaceMouse.reset();
     emit failed(QString::fromUtf8(error.what()));
     return;
   }
@@ -171,14 +202,17 @@ void SessionControl::stop() {
   parts_->display.stop();
   const SessionSummary summary = parts_->session->stop();
   parts_->session.reset();
+  parts_->spaceMouse.reset();
+  parts_->keys = 0;
   emit stopped(summary);
 }
 
 void SessionControl::moveHand(const std::optional<Vector3>& p_WH) {
-  if (isRunning()) parts_->session->moveHand(p_WH);
+  if (isRunning() && !parts_->spaceMouse) parts_->session->moveHand(p_WH);
 }
 
 void SessionControl::press(std::uint16_t inputs) {
+  parts_->keys = inputs;
   if (isRunning()) parts_->session->press(inputs);
 }
 

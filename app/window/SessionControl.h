@@ -6,6 +6,7 @@
 
 #include "app/editor/SceneDocument.h"
 #include "app/session/Session.h"
+#include "app/window/operator/HandMenu.h"
 #include "device/types.h"
 
 namespace haptiv {
@@ -47,6 +48,11 @@ class SessionControl : public QObject {
   void chooseResolution(const haptiv::ResolutionChoice& choice);
   /// Drives the arm in this way from the next session on.
   void chooseControl(const haptiv::ControlChoice& choice);
+  /// What moves the hand from the next session on. A SpaceMouse is opened when a session starts; while it leads, the
+  /// mouse does not.
+  void chooseHand(const haptiv::HandInput& input);
+  /// Of the one who looks at the scene, about z; 0 looks along y [rad]. To him a SpaceMouse's right is right.
+  void setHeading(double heading);
   /// Where the operator's hand wants the ball, p_WH [m]; nothing: it lets go.
   void moveHand(const std::optional<haptiv::Vector3>& p_WH);
   /// What else the operator presses: OperatorInput bits.

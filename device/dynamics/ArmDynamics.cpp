@@ -12,7 +12,7 @@ namespace haptiv {
 
 ArmDynamics::ArmDynamics(const DeviceDescription& description)
     : arm_(description),
-      count_(description.jointCount()),
+      count_(description.delta ? 0 : description.jointCount()),
       rotors_(description.drives.inertia),
       gravity_(description.bodies.gravity) {
   const std::vector<LinkBody>& links = description.bodies.links;

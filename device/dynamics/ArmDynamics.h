@@ -20,7 +20,8 @@ using JointMatrix = Eigen::Matrix<double, kJointCount, kJointCount>;
 /// themselves and refer to their chain, so that they can be neither const nor copied, and take three times as long,
 /// which the simulated arm, eight times a tick, has not.
 ///
-/// Joints that the arm has not: M has drives.inertia there, and b is zero.
+/// Joints that the arm has not: M has drives.inertia there, and b is zero. A parallel arm's legs have no bodies: M has
+/// drives.inertia of all its joints, and b is zero.
 /// Realtime-safe: all but the constructor. Everything in SI units.
 class ArmDynamics {
  public:

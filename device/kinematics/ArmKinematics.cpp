@@ -9,7 +9,10 @@ namespace {
 
 constexpr double kReached = 1e-9;  // [m]; the closed form is exact but for rounding, or clamps by far more
 
-std::variant<Vishard10, SerialChain> armOf(const DeviceDescription& description) {
+using AnyArm = std::variant<Vishard10, SerialChain, DeltaArm>;
+
+AnyArm armOf(const DeviceDescription& description) {
+  if (description.delta) return DeltaArm(*description.delta);
   if (description.chain.joints.empty()) return Vishard10(description.links);
   return SerialChain(description.chain);
 }
@@ -22,20 +25,18 @@ ArmKinematics::ArmKinematics(const DeviceDescription& description)
       X_CT_(description.tool) {}
 
 int ArmKinematics::jointCount() const noexcept {
-  const auto* chain = std::get_if<SerialChain>(&arm_);
-  return chain ? chain->jointCount() : kJointCount;
+  if (const auto* chain = std::get_if<SerialChain>(&arm_)) return chain->jointCount();
+  return delta() ? delta()->jointCount() : kJointCount;
 }
 
 Pose ArmKinematics::forward(const JointVector& q) const noexcept {
-  const auto* closed = vishard10();
-  const Pose X_BC = closed ? closed->forward(q) : std::get_if<SerialChain>(&arm_)->forward(q);
+  const Pose X_BC = std::visit([&](const auto& arm) { return arm.forward(q); }, arm_);
   if (!hasTool_) return X_BC;
   return {X_BC.position + X_BC.rotation * X_CT_.position, X_BC.rotation * X_CT_.rotation};
 }
 
 ArmPose ArmKinematics::evaluate(const JointVector& q) const noexcept {
-  const auto* closed = vishard10();
-  ArmPose arm = closed ? closed->evaluate(q) : std::get_if<SerialChain>(&arm_)->evaluate(q);
+  ArmPose arm = std::visit([&](const auto& any) { return any.evaluate(q); }, arm_);
   if (!hasTool_) return arm;
   const Vector3 p_CT_B = arm.X_BT.rotation * X_CT_.position;
   arm.X_BT.position += p_CT_B;
@@ -48,6 +49,7 @@ ArmPose ArmKinematics::evaluate(const JointVector& q) const noexcept {
 }
 
 JointVector ArmKinematics::inverse(const Vector3& p_BT, const JointVector& like) const noexcept {
+  if (const DeltaArm* legs = delta()) return legs->inverse(p_BT - X_CT_.position);  // C never turns
   const Pose wanted{p_BT, forward(like).rotation};
   JointVector start = like;
   if (const Vishard10* closed = vishard10()) {
@@ -64,8 +66,7 @@ JointVector ArmKinematics::inverse(const Vector3& p_BT, const JointVector& like)
 }
 
 ArmSkeleton ArmKinematics::skeleton(const JointVector& q) const noexcept {
-  const auto* closed = vishard10();
-  ArmSkeleton skeleton = closed ? closed->skeleton(q) : std::get_if<SerialChain>(&arm_)->skeleton(q);
+  ArmSkeleton skeleton = std::visit([&](const auto& arm) { return arm.skeleton(q); }, arm_);
   if (hasTool_) skeleton.at[skeleton.count++] = forward(q).position;
   return skeleton;
 }

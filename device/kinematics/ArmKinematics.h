@@ -4,13 +4,14 @@
 
 #include "device/DeviceDescription.h"
 #include "device/kinematics/ArmPose.h"
+#include "device/kinematics/DeltaArm.h"
 #include "device/kinematics/SerialChain.h"
 #include "device/kinematics/Vishard10.h"
 
 namespace haptiv {
 
-/// Kinematics of the arm that a description names: VISHARD10 by its closed forms, any other by its chain; behind the
-/// wrist centre C either way the description's tool transform X_CT.
+/// Kinematics of the arm that a description names: VISHARD10 by its closed forms, any other serial arm by its chain, a
+/// parallel one by its legs; behind the wrist centre C in every case the description's tool transform X_CT.
 ///
 /// Joints beyond jointCount() are not there: their angles are ignored and their columns of J are zero.
 class ArmKinematics {
@@ -21,6 +22,8 @@ class ArmKinematics {
   int jointCount() const noexcept;
   /// The closed forms; null where the arm is another chain. They are those of the wrist centre, without the tool.
   const Vishard10* vishard10() const noexcept { return std::get_if<Vishard10>(&arm_); }
+  /// The legs of a parallel arm, without the tool; null where the arm is serial.
+  const DeltaArm* delta() const noexcept { return std::get_if<DeltaArm>(&arm_); }
 
   /// X_BT at joint angles q [rad]. Realtime-safe: yes.
   Pose forward(const JointVector& q) const noexcept;
@@ -30,7 +33,7 @@ class ArmKinematics {
   ArmPose evaluate(const JointVector& q) const noexcept;
 
   /// Angles that put the tool at p_BT [m] with the R_BT of `like`: VISHARD10's inverse function, eqs. (21)-(23), where
-  /// it reaches; else a damped Newton search from there, or from `like`. Where the place is out of reach, the nearest
+  /// it reaches, a parallel arm's closed form; else a damped Newton search from there, or from `like`. Where the place is out of reach, the nearest
   /// that was found: compare forward() of it. Never NaN for finite input.
   /// Realtime-safe: no allocation, but up to some hundred steps long; for set-up.
   JointVector inverse(const Vector3& p_BT, const JointVector& like) const noexcept;
@@ -39,7 +42,7 @@ class ArmKinematics {
   ArmSkeleton skeleton(const JointVector& q) const noexcept;
 
  private:
-  std::variant<Vishard10, SerialChain> arm_;
+  std::variant<Vishard10, SerialChain, DeltaArm> arm_;
   bool hasTool_;
   Pose X_CT_;
 };

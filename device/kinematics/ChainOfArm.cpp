@@ -17,7 +17,7 @@ ChainGeometry vishard10(const LinkLengths& links) {
 }  // namespace
 
 ChainGeometry chainOfArm(const DeviceDescription& description) {
-  return description.chain.joints.empty() ? vishard10(description.links) : description.chain;
+  return description.isVishard10() ? vishard10(description.links) : description.chain;
 }
 
 }  // namespace haptiv

@@ -48,6 +48,10 @@ void Checks::lengths() const {
     if (root_[section][key].value_or(0.0) > kLongestOffset)
       failAt(section, {key}, std::string(section) + "." + key + " is longer than 100 m; write metres");
   }
+  for (const char* key : {"baseRadius", "baseOffset", "upperArm", "forearm", "hinges", "platformRadius"}) {
+    if (std::abs(root_["delta"][key].value_or(0.0)) > kLongestOffset)
+      failAt("delta", {key}, std::string("delta.") + key + " is longer than 100 m; write metres");
+  }
   if (d_.tool.position.norm() > kLongestOffset) failAt("tool", {"xyz"}, "tool.xyz is longer than 100 m; write metres");
   if (d_.chain.end.position.norm() > kLongestOffset)
     failAt("chain", {"end"}, "chain.end is longer than 100 m; write metres");

@@ -41,6 +41,24 @@ Section safety(SafetyThresholds& safety, int joints) {
            {"missedTime", &safety.missedTime, positive}}};
 }
 
+Section delta(DeltaGeometry& delta) {
+  return {"delta",
+          {{"baseRadius", &delta.baseRadius, positive},
+           {"baseOffset", &delta.baseOffset},
+           {"upperArm", &delta.upperArm, positive},
+           {"forearm", &delta.forearm, positive},
+           {"hinges", &delta.hinges, notNegative},
+           {"platformRadius", &delta.platformRadius, notNegative},
+           {"legAngles", &delta.legAngles}}};
+}
+
+Section falcon(FalconWiring& falcon) {
+  return {"falcon",
+          {{"homedAngle", &falcon.homedAngle},
+           {"torqueCounts", &falcon.torqueCounts},
+           {"mostTorqueCounts", &falcon.mostTorqueCounts, positive}}};
+}
+
 Section hand(HandModel& hand) {
   return {"hand",
           {{"stiffness", &hand.stiffness, notNegative},
@@ -169,7 +187,7 @@ struct Reader {
 }  // namespace
 
 std::vector<Section> sectionsOf(DeviceDescription& d, int joints) {
-  return {
+  std::vector<Section> sections = {
       {"links",
        {{"scara", &d.links.scara, positive},
         {"forearm", &d.links.forearm, notNegative},
@@ -196,6 +214,11 @@ std::vector<Section> sectionsOf(DeviceDescription& d, int joints) {
       safety(d.safety, joints),
       {"home", {{"angles", JointList{&d.homeAngles, joints}}}},
   };
+  if (d.delta) {
+    sections.push_back(delta(*d.delta));
+    sections.push_back(falcon(d.falcon));
+  }
+  return sections;
 }
 
 void readSection(const TomlValues& toml, const toml::node& node, const Section& section) {

@@ -52,7 +52,7 @@ struct Section {
   std::vector<Field> fields;
 };
 
-/// The whole format but for schema, name, the chain and the bodies, for an arm of so many joints.
+/// The whole format but for schema, name, type, the chain and the bodies, for an arm of so many joints.
 std::vector<Section> sectionsOf(DeviceDescription& description, int joints);
 
 /// Reads one table of the file. Throws as TomlValues does; unknown keys are refused.

@@ -21,7 +21,24 @@ void checkSchema(const TomlValues& toml, const toml::table& root) {
   if (node->value_exact<std::int64_t>() != kSchema) toml.fail(*node, "this schema is not known; write `schema = 1`");
 }
 
+void readType(const TomlValues& toml, const toml::table& root, DeviceDescription& d) {
+  const toml::node* type = root.get("type");
+  if (type == nullptr || toml.choice(*type, "type", {"admittance", "impedance"}) == 0) return;
+  d.type = DeviceType::impedance;
+  // Where [control] and [sensor] do not say otherwise: counts that are always zero have no noise.
+  d.control.choice.display = DisplayMode::impedance;
+  d.sensor.forceNoise = d.sensor.torqueNoise = 0;
+}
+
 void readArm(const TomlValues& toml, const toml::table& root, DeviceDescription& d) {
+  if (root.get("delta") != nullptr) {
+    d.delta.emplace();
+    for (const char* other : {"links", "chain", "bodies"}) {
+      if (const toml::node* node = root.get(other))
+        toml.fail(*node,
+                  "[" + std::string(other) + "] is of a serial arm and [delta] a parallel one; remove one of them");
+    }
+  }
   const toml::node* chain = root.get("chain");
   if (chain == nullptr) return;
   if (const toml::node* links = root.get("links"))
@@ -31,11 +48,12 @@ void readArm(const TomlValues& toml, const toml::table& root, DeviceDescription&
 
 void read(const TomlValues& toml, const toml::table& root, DeviceDescription& d) {
   checkSchema(toml, root);
+  readType(toml, root, d);
   readArm(toml, root, d);
   if (const toml::node* bodies = root.get("bodies")) d.bodies = readBodies(toml, *bodies, d.jointCount());
   const auto sections = sectionsOf(d, d.jointCount());
   for (const auto& [key, node] : root) {
-    if (key == "schema" || key == "chain" || key == "bodies") continue;
+    if (key == "schema" || key == "type" || key == "chain" || key == "bodies") continue;
     if (key == "name") {
       d.name = toml.text(node, "name");
       continue;
@@ -46,7 +64,7 @@ void read(const TomlValues& toml, const toml::table& root, DeviceDescription& d)
       std::string known;
       for (const Section& one : sections) known += ", " + one.name;
       toml.fail(key.source().begin,
-                "unknown key " + shown(key) + "; remove it, or use one of schema, name, chain, bodies" + known);
+                "unknown key " + shown(key) + "; remove it, or use one of schema, name, type, chain, bodies" + known);
     }
     readSection(toml, node, *section);
   }

@@ -6,6 +6,7 @@
 namespace haptiv {
 ArmControl::ArmControl(const DeviceDescription& description, double period)
     : settings_(description.control),
+      type_(description.type),
       resolution_(description.redundancy.choice),
       period_(period),
       clamps_(description, period),
@@ -17,6 +18,7 @@ ArmControl::ArmControl(const DeviceDescription& description, double period)
 ControlChoice ArmControl::choiceFor(const HapticScene& scene) const noexcept {
   ControlChoice choice = scene.control.value_or(settings_.choice);
   if (!computedTorque_) choice.joints = JointController::pd;
+  if (type_ == DeviceType::impedance) choice.display = DisplayMode::impedance;
   return choice;
 }
 

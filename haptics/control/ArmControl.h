@@ -24,7 +24,7 @@ class ArmControl {
   ArmControl(const DeviceDescription& description, double period);
 
   /// What is in force: the scene's choice, or else the description's. An arm without bodies cannot do computed torque:
-  /// PD serves.
+  /// PD serves. A device of the impedance type can do impedance display alone.
   ControlChoice choiceFor(const HapticScene& scene) const noexcept;
 
   /// The motion that is desired is rest where the arm is.
@@ -54,6 +54,7 @@ class ArmControl {
                         const Vector3& force, const ControlState& state, std::uint32_t& clamps) const noexcept;
 
   ControlSettings settings_;
+  DeviceType type_;
   ResolutionChoice resolution_;
   double period_;
   Clamps clamps_;

@@ -1,6 +1,7 @@
 #include "scenegraph/judging/ReachOfArm.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "haptics/scene/DeviceFrames.h"
 #include "haptics/shapes/ShapeDistance.h"
@@ -10,6 +11,11 @@ namespace haptiv {
 ReachOfArm ReachOfArm::of(const DeviceDescription& device) {
   const double tool = device.tool.position.norm();
   const std::vector<ChainJoint>& joints = device.chain.joints;
+  if (device.delta) {
+    const DeltaGeometry& g = *device.delta;
+    const double leg = g.baseRadius + std::abs(g.baseOffset) + g.upperArm + g.forearm + g.hinges + g.platformRadius;
+    return {leg + tool, leg + tool};
+  }
   if (joints.empty()) return {4 * device.links.scara + tool, 2 * device.links.lift + tool};
   double length = device.chain.end.position.norm() + tool;
   for (const ChainJoint& joint : joints) length += joint.mount.position.norm();

@@ -15,6 +15,7 @@ namespace haptiv::test {
 struct Candidate {
   std::string name;
   std::function<std::unique_ptr<HapticDevice>(const DeviceDescription&)> make;
+  std::string description = "vishard10";
 };
 
 inline std::string nameOf(const testing::TestParamInfo<Candidate>& instance) {
@@ -38,7 +39,18 @@ class DeviceContract : public testing::TestWithParam<Candidate> {
     return command;
   }
 
-  DeviceDescription description_ = loadDeviceDescription("vishard10");
+  bool followsRates() const { return description_.type == DeviceType::admittance; }
+  /// Turns a joint forwards, in the way that the device can.
+  DeviceCommand moving(int joint) const {
+    if (followsRates()) return turning(joint, 1);
+    DeviceCommand command;
+    command.enabled = true;
+    command.mode = DriveMode::torque;
+    command.jointTorques[joint] = 5 * description_.drives.coulombFriction[joint];
+    return command;
+  }
+
+  DeviceDescription description_ = loadDeviceDescription(GetParam().description);
   std::unique_ptr<HapticDevice> device_ = GetParam().make(description_);
 };
 

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 TEST(DeviceDescription, BuiltInOnesAreTheFilesOfTheSources) {
-  for (const std::string name : {"vishard10", "anthropomorphic7"}) {
+  for (const std::string name : {"vishard10", "anthropomorphic7", "falcon"}) {
     std::ifstream file(HAPTIV_SOURCE_DIR "/device/descriptions/" + name + ".toml", std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     ASSERT_FALSE(text.empty());

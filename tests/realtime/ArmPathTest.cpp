@@ -12,7 +12,7 @@ namespace haptiv {
 namespace {
 
 class ServoPathOfTheArm : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(BuiltIn, ServoPathOfTheArm, ::testing::Values("vishard10", "anthropomorphic7"));
+INSTANTIATE_TEST_SUITE_P(BuiltIn, ServoPathOfTheArm, ::testing::Values("vishard10", "anthropomorphic7", "falcon"));
 
 TEST_P(ServoPathOfTheArm, NeitherAllocatesNorLocks) {
   DeviceDescription description = loadDeviceDescription(GetParam());

@@ -25,7 +25,7 @@ class RealtimeSanitizer : public ::testing::TestWithParam<const char*> {
  protected:
   DeviceDescription description = loadDeviceDescription(GetParam());
 };
-INSTANTIATE_TEST_SUITE_P(BuiltIn, RealtimeSanitizer, ::testing::Values("vishard10", "anthropomorphic7"));
+INSTANTIATE_TEST_SUITE_P(BuiltIn, RealtimeSanitizer, ::testing::Values("vishard10", "anthropomorphic7", "falcon"));
 
 TEST_P(RealtimeSanitizer, HasNothingToSayOfHalfASecondOfTheServo) {
   SimulatedDevice arm = testing::pulledArm(description);

@@ -56,7 +56,7 @@ class ServoGuard : public ::testing::TestWithParam<const char*> {
   int lastSyscall = -1;
   std::string whyNoTrap;
 };
-INSTANTIATE_TEST_SUITE_P(BuiltIn, ServoGuard, ::testing::Values("vishard10", "anthropomorphic7"));
+INSTANTIATE_TEST_SUITE_P(BuiltIn, ServoGuard, ::testing::Values("vishard10", "anthropomorphic7", "falcon"));
 
 TEST_P(ServoGuard, SeesNoAllocationLockOrSystemCallInASecondOfTheServo) {
   const std::vector<TickRecord> records = run(1000);

@@ -99,6 +99,10 @@ void saveMap(const DeviceCheckOptions& options, const Tour& tour, const TourGrid
 
 int checkDevice(const DeviceCheckOptions& options) {
   const DeviceDescription device = loadDeviceDescription(options.description);
+  if (device.delta)
+    throw CommandFailure(kWrongUsage, options.description +
+                                          ": is a parallel arm, and this check is for serial ones of VISHARD10's size; "
+                                          "give another description");
   const ResolutionChoice choice = choiceOf(options, device);
   if (!options.map.empty()) requireWritable(options.map);
   const Specification specification;

@@ -4,7 +4,7 @@ namespace haptiv {
 namespace {
 
 DeviceDescription withBodies(DeviceDescription description) {
-  if (description.bodies.links.empty())
+  if (description.bodies.links.empty() && !description.delta)
     description.bodies.links.resize(static_cast<std::size_t>(description.jointCount()));
   return description;
 }
@@ -19,6 +19,7 @@ SimulatedArm::SimulatedArm(const DeviceDescription& description, const JointVect
       brakeFriction_(description.drives.brakeFriction),
       hand_(description.hand),
       sensor_(description.sensor, seed),
+      hasSensor_(description.type == DeviceType::admittance),
       angles_(start) {
   const JointDrives& all = description.drives;
   const JointVector tunedFor = dynamics_.massMatrix(description.homeAngles).diagonal();
@@ -75,7 +76,7 @@ std::array<std::int32_t, kJointCount> SimulatedArm::encoderCounts() const noexce
 BoardInputs SimulatedArm::measure() noexcept {
   BoardInputs inputs;
   inputs.encoderCounts = encoderCounts();
-  inputs.sensorCounts = sensor_.measure();
+  if (hasSensor_) inputs.sensorCounts = sensor_.measure();
   return inputs;
 }
 

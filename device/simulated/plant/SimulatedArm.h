@@ -19,7 +19,7 @@ namespace haptiv {
 /// motors' torque limits and velocity loops, motors that brake when they are bypassed, the operator's arm and grip,
 /// noise, bandwidth and range of the sensor, the encoders' counts. Not modelled: play and elasticity of gears and
 /// links, heat, and the mass of the handle beyond the sensor, which feels the hand alone. An arm whose description has
-/// no bodies has links without mass: rotors alone, no weight.
+/// no bodies has links without mass: rotors alone, no weight. A device of the impedance type has no sensor.
 class SimulatedArm {
  public:
   /// @param start  joint angles, finite [rad]
@@ -51,6 +51,7 @@ class SimulatedArm {
   std::vector<JointDrive> drives_;  // never grows after construction
   HumanHand hand_;
   ForceTorqueSensor sensor_;
+  bool hasSensor_;  // false: its counts are zero
   JointVector angles_, rates_ = JointVector::Zero(), torques_ = JointVector::Zero();
   Wrench onTool_B_;
 };

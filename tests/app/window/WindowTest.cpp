@@ -374,5 +374,20 @@ TEST_F(Window, ABrokenSceneIsToldAndTheOldOneStays) {
   EXPECT_TRUE(waitFor([&] { return find<QAction>("stopAction").isEnabled(); })) << "the old one cannot be felt";
 }
 
+TEST_F(Window, ASpaceMouseThatIsNotThereStartsNothingAndTheMouseDoes) {
+  auto& menu = find<QMenu>("handMenu");
+  EXPECT_TRUE(find<QAction>("mouseHandAction").isChecked());
+  find<QAction>("spaceMouseVelocityAction").trigger();
+  clickButton("startAction");
+  auto& box = find<QMessageBox>("messageBox");
+  EXPECT_TRUE(box.text().contains("SpaceMouse")) << box.text().toStdString();
+  box.accept();
+  EXPECT_FALSE(find<QAction>("stopAction").isEnabled());
+  find<QAction>("mouseHandAction").trigger();
+  clickButton("startAction");
+  EXPECT_TRUE(waitFor([&] { return find<QAction>("stopAction").isEnabled(); }));
+  EXPECT_FALSE(menu.isEnabled()) << "not while a session runs";
+}
+
 }  // namespace
 }  // namespace haptiv

@@ -71,7 +71,7 @@ TEST(HostileDescription, AFileThatIsTooLargeIsNotRead) {
 /// Cuts, doubles and changes pieces of a good file: it is refused with a place, or the arm has finite kinematics.
 TEST(HostileDescription, AnyDamageIsRefusedOrHarmless) {
   test::Random random(1);
-  for (const char* name : {"vishard10", "anthropomorphic7"}) {
+  for (const char* name : {"vishard10", "anthropomorphic7", "falcon"}) {
     const std::string good = loadDeviceDescription(name).text;
     const std::string pieces = "[]{}=.,'\"#-+eE019nai \n";
     for (int i = 0; i < 1000; ++i) {

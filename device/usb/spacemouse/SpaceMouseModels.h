@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace haptiv {
+
+/// A device of 3Dconnexion's that can be a hand.
+struct SpaceMouseModel {
+  std::uint16_t vendor;
+  std::uint16_t product;
+  std::string_view name;
+};
+
+/// Those that are known by their numbers; docs/spacemouse.md has the layouts of their reports.
+std::span<const SpaceMouseModel> spaceMouseModels() noexcept;
+
+/// Null: none of them.
+const SpaceMouseModel* spaceMouseModel(std::uint16_t vendor, std::uint16_t product) noexcept;
+
+}  // namespace haptiv
