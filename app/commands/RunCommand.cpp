@@ -11,7 +11,7 @@
 #include "app/commands/Picture.h"
 #include "app/commands/RunPeople.h"
 #include "app/commands/SessionReport.h"
-#include "app/commands/UsbBoards.h"
+#include "app/session/UsbBoards.h"
 #include "app/session/FlightRecorder.h"
 #include "app/session/HandFile.h"
 #include "app/session/SceneControl.h"

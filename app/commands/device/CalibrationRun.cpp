@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "app/commands/Picture.h"
-#include "app/commands/UsbBoards.h"
+#include "app/session/UsbBoards.h"
 #include "app/commands/WholeFile.h"
 
 namespace haptiv {

@@ -12,7 +12,7 @@
 #include "app/commands/ExitCode.h"
 #include "app/commands/HeldSignals.h"
 #include "app/commands/Report.h"
-#include "app/commands/UsbBoards.h"
+#include "app/session/UsbBoards.h"
 #include "haptics/safety/Faults.h"
 
 namespace haptiv {

@@ -45,6 +45,8 @@ class BenchedUsbDevice : public HapticDevice {
     board_->buttons = 0;
   }
 
+  Homing* homing() noexcept override { return device_ ? device_->homing() : nullptr; }
+
   VirtualBoard& board() { return *board_; }
   VirtualPort& port() { return *port_; }
   VirtualBus& bus() { return bus_; }

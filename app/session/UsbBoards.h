@@ -8,7 +8,7 @@
 
 namespace haptiv {
 
-/// Whether `--device` names an interface board: "usb", or "usb:SERIAL".
+/// Whether a device by its name, as after `--device`, is an interface board: "usb", or "usb:SERIAL".
 bool isBoard(const std::string& device);
 /// The serial number in it; empty: the only board there is.
 std::string boardSerialOf(const std::string& device);

@@ -1,4 +1,4 @@
-#include "app/commands/UsbBoards.h"
+#include "app/session/UsbBoards.h"
 
 #include <string_view>
 
