@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "device/HapticDevice.h"
+#include "device/Homing.h"
 #include "device/control/ControlChoice.h"
 #include "device/dynamics/ArmBodies.h"
 #include "device/kinematics/ChainGeometry.h"
@@ -42,7 +43,14 @@ struct JointDrives {
   JointVector countsPerRadian() const;
 };
 
-/// The six-axis sensor at the handle.
+/// What the encoders' counts mean, found by `haptiv device home`; each vector has one entry a joint.
+struct EncoderZero {
+  JointVector zero = JointVector::Zero();       ///< counts at the joint's zero, whole numbers
+  JointVector reference = JointVector::Zero();  ///< the pose into which the arm is set for homing [rad]
+};
+
+/// The six-axis sensor at the handle. What the hand does to it is, in N and N m, in T,
+///   wrench = matrix (resolution counts - bias)
 struct HandleSensor {
   double forceResolution = 0.02;    ///< [N] per count
   double torqueResolution = 0.001;  ///< [N m] per count
@@ -51,6 +59,14 @@ struct HandleSensor {
   double forceRange = 400;          ///< [N], saturates beyond
   double torqueRange = 30;          ///< [N m], saturates beyond
   double bandwidth = 50'265;        ///< of its low-pass [rad/s]: 8 kHz
+  Vector6 bias = Vector6::Zero();   ///< what it says of an untouched handle, before the matrix [N], [N m]
+  Matrix6 matrix = Matrix6::Identity();
+
+  Vector6 resolution() const noexcept;                      ///< of each axis, per count [N], [N m]
+  Vector6 range() const noexcept;                           ///< of each axis [N], [N m]
+  std::array<std::int16_t, 6> lastCounts() const noexcept;  ///< at the end of each axis' range
+  /// What the counts say before bias and matrix [N], [N m]. Realtime-safe: yes.
+  Vector6 raw(const std::array<std::int16_t, 6>& counts) const noexcept;
 };
 
 /// The simulated operator's arm and grip: HumanHand tells how they work together.
@@ -122,6 +138,7 @@ struct DeviceDescription {
   Pose tool;            ///< X_CT: the tool, in the frame of the wrist centre
   ArmBodies bodies;     ///< of the links; empty where they are not known
   JointDrives drives;
+  EncoderZero encoders;
   HandleSensor sensor;
   HandModel hand;
   ControlSettings control;
@@ -138,6 +155,8 @@ struct DeviceDescription {
 
   /// Joint angles [rad] that the encoders report. Realtime-safe: yes.
   JointVector jointAngles(const DeviceReading& reading) const noexcept;
+  /// Counts that the encoders report at these joint angles [rad], to the nearest. Beyond 32 bits: the end of them.
+  PoseCounts countsAt(const JointVector& angles) const noexcept;
   /// Wrench of the hand on the handle, in T. Realtime-safe: yes.
   Wrench handleWrench(const DeviceReading& reading) const noexcept;
 };

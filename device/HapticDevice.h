@@ -5,6 +5,8 @@
 
 namespace haptiv {
 
+class Homing;
+
 /// What a device reports once per tick: raw counts, as the hardware has them, so that a log of them is lossless.
 /// DeviceDescription turns them into radians, newtons and newton metres.
 struct DeviceReading {
@@ -42,6 +44,9 @@ class HapticDevice {
   virtual void write(const DeviceCommand& command) noexcept = 0;
   /// Brakes the arm; the device can be started again.
   virtual void stop() = 0;
+
+  /// How its encoders are given a zero; null: they keep their own, or cannot be given one.
+  virtual Homing* homing() noexcept { return nullptr; }
 };
 
 }  // namespace haptiv

@@ -17,6 +17,7 @@ inline constexpr int kJointCount = 10;
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using JointVector = Eigen::Matrix<double, kJointCount, 1>;
 /// Maps joint rates [rad/s] to a twist: rows 0..2 linear [m/s], rows 3..5 angular [rad/s].
 using Jacobian = Eigen::Matrix<double, 6, kJointCount>;

@@ -11,6 +11,8 @@
 #include "app/commands/ExitCode.h"
 #include "app/commands/Report.h"
 #include "app/commands/WallMapReport.h"
+#include "app/session/SceneControl.h"
+#include "device/control/ControlNames.h"
 #include "haptics/servo/ServoPace.h"
 #include "scenegraph/SceneFile.h"
 
@@ -22,8 +24,9 @@ constexpr Range kRates{kLowestServoRate, kHighestServoRate};
 struct BenchOptions {
   std::vector<std::string> names;
   std::string device = "vishard10";
-  double rate = 1000;  // [Hz]
-  std::string out;     // empty: no files
+  double rate = 1000;           // [Hz]
+  std::string control, joints;  // empty: as the description says
+  std::string out;              // empty: no files
   bool json = false;
 };
 
@@ -95,10 +98,20 @@ void printJson(const BenchRun& run) {
   report.print(true);
 }
 
+/// The arm, driven as is chosen. Throws what expectControllable throws.
+DeviceDescription deviceOf(const BenchOptions& options) {
+  DeviceDescription device = loadDeviceDescription(options.device);
+  ControlChoice& choice = device.control.choice;
+  choice.display = displayModeNamed(options.control).value_or(choice.display);
+  choice.joints = jointControllerNamed(options.joints).value_or(choice.joints);
+  expectControllable(choice, device);
+  return device;
+}
+
 int runBenches(const BenchOptions& options) {
   requireKnown(options.names);
   initSceneGraph();
-  BenchRun run({loadDeviceDescription(options.device), options.rate, {}});
+  BenchRun run({deviceOf(options), options.rate, {}});
   for (const Bench& bench : kBenches) {
     if (options.names.empty() || std::ranges::find(options.names, bench.name) != options.names.end()) bench.run(run);
   }
@@ -121,6 +134,10 @@ void addBenchCommand(const Command& program) {
       .type("DESCRIPTION")
       .showDefault();
   bench.number("--rate", options->rate, kRates, "Of wall: ticks per second, 500 to 8000").type("HZ").showDefault();
+  bench.choice("--control", options->control, {"admittance", "position-impedance", "impedance"},
+               "Of wall: what the device shows; without this, as the device description says");
+  bench.choice("--joints", options->joints, {"pd", "computed-torque"},
+               "Of wall: how the joints follow; without this, as the device description says");
   bench.path("--out", options->out, "Of wall: a folder for the map as PNG and CSV; made where it is missing")
       .type("DIR");
   bench.json(options->json);

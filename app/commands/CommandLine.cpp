@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "app/commands/BenchCommand.h"
+#include "app/commands/BoardCommand.h"
 #include "app/commands/CheckCommand.h"
 #include "app/commands/Command.h"
 #include "app/commands/ExitCode.h"
@@ -55,6 +56,7 @@ int dispatch(int argc, char** argv) {
   addKinematicsCommand(program);
   addBenchCommand(program);
   addDeviceCommand(program);
+  addBoardCommand(program);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version

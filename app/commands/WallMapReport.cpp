@@ -9,6 +9,7 @@
 #include "app/commands/WholeFile.h"
 #include "app/figures/DrawFigure.h"
 #include "app/figures/OffscreenQt.h"
+#include "device/control/ControlNames.h"
 
 namespace haptiv {
 namespace {
@@ -26,6 +27,8 @@ Report reportOf(const WallMap& map) {
   Report report;
   report.add("device", map.device);
   report.add("rate_Hz", map.rate);
+  report.add("control", nameOf(map.control.display));
+  report.add("joints", nameOf(map.control.joints));
   report.add("virtual_mass_kg", map.mass);
   report.add("trials", map.trials);
   report.add("damping_N_s_per_m", map.damping);

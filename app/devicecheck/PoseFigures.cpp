@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "device/redundancy/Criterion.h"
+#include "haptics/safety/Clamps.h"
 
 namespace haptiv {
 namespace {
@@ -60,7 +61,7 @@ PoseFigures figuresOf(const ArmPose& arm, const JointVector& weight, const Devic
   figures.force = farthest(linear.colwise().norm().transpose(), spare);
   figures.rollTorque = farthest(inTool.row(0).cwiseAbs().transpose(), spare);
   figures.pitchYawTorque = farthest(inTool.bottomRows<2>().colwise().norm().transpose(), spare);
-  figures.speed = std::min(speedIn(arm, device), device.safety.speedClamp);
+  figures.speed = std::min(speedIn(arm, device), Clamps::kSentShare * device.safety.speedClamp);
   return figures;
 }
 

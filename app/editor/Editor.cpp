@@ -32,7 +32,7 @@ struct Editor::Parts {
   Handles handles;
   QPointer<QWidget> tree, panel, diagnostics;
   QAction *undo = nullptr, *redo = nullptr, *wall = nullptr, *dampingZone = nullptr, *springZone = nullptr,
-          *rubberBand = nullptr, *makeSolid = nullptr, *remove = nullptr, *snap = nullptr;
+          *rubberBand = nullptr, *makeSolid = nullptr, *duplicate = nullptr, *remove = nullptr, *snap = nullptr;
   bool isEnabled = true;
 
   void updateActions() {
@@ -45,6 +45,7 @@ struct Editor::Parts {
     const std::vector<SceneItem> items = listScene(document.root());
     const SceneItem* item = findItem(items, document.selection());
     remove->setEnabled(canEdit && item && item->kind != SceneItem::Kind::tool && item->kind != SceneItem::Kind::device);
+    duplicate->setEnabled(remove->isEnabled() && canDuplicate(document));
     for (QAction* action : {wall, dampingZone, springZone, rubberBand}) action->setEnabled(canEdit);
     makeSolid->setEnabled(canEdit && isScenery(items));
   }
@@ -101,6 +102,8 @@ void Editor::makeActions() {
   parts.makeSolid =
       makeAction(this, "makeSolidAction", EditorIcon::makeSolid, "&Make solid",
                  "Make everything that is seen felt: adds a ball and a surface of the model's size", QKeySequence("M"));
+  parts.duplicate = makeAction(this, "duplicateAction", EditorIcon::duplicate, "D&uplicate",
+                               "Put a copy of what is selected beside it", QKeySequence("Ctrl+D"));
   parts.remove = makeAction(this, "removeAction", EditorIcon::remove, "&Delete", "Delete what is selected",
                             QKeySequence(Qt::Key_Delete));
   parts.snap = makeAction(this, "snapToGridAction", EditorIcon::grid, "Snap to &grid",
@@ -118,6 +121,7 @@ void Editor::makeActions() {
   adds(parts.springZone, SceneItem::Kind::springZone);
   adds(parts.rubberBand, SceneItem::Kind::rubberBand);
   connect(parts.makeSolid, &QAction::triggered, this, [this] { haptiv::makeSolid(parts_->document); });
+  connect(parts.duplicate, &QAction::triggered, this, [this] { duplicateShape(parts_->document); });
   connect(parts.remove, &QAction::triggered, this, [this] { removeShape(parts_->document); });
   connect(parts.snap, &QAction::toggled, this, [this](bool on) { parts_->handles.setSnapping(on); });
 }
@@ -142,6 +146,9 @@ QAction* Editor::addRubberBand() const {
 }
 QAction* Editor::makeSolid() const {
   return parts_->makeSolid;
+}
+QAction* Editor::duplicate() const {
+  return parts_->duplicate;
 }
 QAction* Editor::remove() const {
   return parts_->remove;

@@ -25,6 +25,7 @@ class Editor : public QObject {
   QAction* addSpringZone() const;
   QAction* addRubberBand() const;
   QAction* makeSolid() const;  ///< for scenes that are only seen
+  QAction* duplicate() const;
   QAction* remove() const;
   QAction* snapToGrid() const;  ///< checkable
 

@@ -89,6 +89,13 @@ void drawBin(QPainter& painter) {
   for (const int x : {20, 28}) painter.drawLine(x, 20, x, 35);
 }
 
+void drawTwo(QPainter& painter) {
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(8, 8, 22, 22);
+  painter.setBrush(Qt::white);
+  painter.drawRect(18, 18, 22, 22);
+}
+
 void drawGrid(QPainter& painter) {
   for (const int at : {10, 24, 38}) {
     painter.drawLine(at, 6, at, 42);
@@ -122,6 +129,8 @@ QIcon editorIcon(EditorIcon icon) {
       });
     case EditorIcon::makeSolid:
       return strokeIcon(drawSolid);
+    case EditorIcon::duplicate:
+      return strokeIcon(drawTwo);
     case EditorIcon::remove:
       return strokeIcon(drawBin);
     case EditorIcon::undo:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "app/editor/Macro.h"
 #include "app/editor/NewShape.h"
 #include "app/editor/ShapeUnit.h"
 #include "app/editor/commands/InsertNode.h"
@@ -14,18 +15,6 @@
 
 namespace haptiv {
 namespace {
-
-/// Several commands as one undo step.
-class Macro {
- public:
-  Macro(SceneDocument& document, const QString& text) : stack_(document.undoStack()) { stack_.beginMacro(text); }
-  ~Macro() { stack_.endMacro(); }
-  Macro(const Macro&) = delete;
-  Macro& operator=(const Macro&) = delete;
-
- private:
-  QUndoStack& stack_;
-};
 
 SoField& fieldOf(const SoNode* node, const char* name) {
   SoField* field = node->getField(name);

@@ -37,6 +37,11 @@ void moveShape(SceneDocument& document, const std::function<void(ShapeFrame&)>& 
 /// Removes the selected shape, with the Separator that holds nothing else.
 void removeShape(SceneDocument& document);
 
+/// Whether the selected shape can be moved aside, as its copy is.
+bool canDuplicate(const SceneDocument& document);
+/// Puts a copy of the selected shape, with what belongs to it alone, beside it, under a label of its own; selects it.
+void duplicateShape(SceneDocument& document);
+
 /// Whether the scene is only seen: shapes, and none that is felt or said not to be.
 bool isScenery(const std::vector<SceneItem>& items);
 /// Puts a surface before everything, and a tool and a device of the model's size where they lack.

@@ -6,7 +6,7 @@
 
 namespace haptiv {
 
-/// The plots of a running session, side by side: force and position.
+/// The plots of a running session, side by side: force, position and the energy of passivity.
 class LivePlots : public QWidget {
   Q_OBJECT
  public:
@@ -20,6 +20,7 @@ class LivePlots : public QWidget {
  private:
   SignalPlot* force_;
   SignalPlot* position_;
+  SignalPlot* energy_;
 };
 
 }  // namespace haptiv

@@ -6,6 +6,7 @@ namespace {
 
 constexpr double kMinimumForceSpan = 1;        // [N]; the sensor's noise is a few hundredths of it
 constexpr double kMinimumPositionSpan = 0.02;  // [m]
+constexpr double kMinimumEnergySpan = 0.01;    // [J]; the observer's reserve is a tenth of it
 
 }  // namespace
 
@@ -23,12 +24,23 @@ SignalPlot* makePositionPlot(QWidget* parent) {
   return plot;
 }
 
+SignalPlot* makeEnergyPlot(QWidget* parent) {
+  auto* plot = new SignalPlot("Passivity [J]", {"energy taken"}, parent);
+  plot->setObjectName("energyPlot");
+  plot->setMinimumSpan(kMinimumEnergySpan);
+  return plot;
+}
+
 std::array<double, 2> forceSample(const TickRecord& record) {
   return {record.environmentForce.norm(), record.handForce.norm()};
 }
 
 std::array<double, 3> positionSample(const TickRecord& record) {
   return {record.position.x(), record.position.y(), record.position.z()};
+}
+
+std::array<double, 1> energySample(const TickRecord& record) {
+  return {record.passivityEnergy};
 }
 
 double secondsOf(const TickRecord& record) {

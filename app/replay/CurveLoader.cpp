@@ -16,6 +16,7 @@ constexpr std::uint64_t kBlocksAShow = 20;   // blocks read between two looks at
 constexpr std::uint64_t kFinerAtLeast = 2;   // what a second reading must gain
 constexpr std::size_t kForceCurves = 2;
 constexpr std::size_t kPositionCurves = 3;
+constexpr std::size_t kEnergyCurves = 1;
 
 std::int64_t nanoseconds(double seconds) {
   return std::llround(std::clamp(seconds, 0.0, 9e9) * 1e9);
@@ -27,7 +28,7 @@ CurveLoader::Pass::Pass(std::uint64_t first, std::uint64_t past)
     : next(first),
       end(past),
       bucket(std::max<std::uint64_t>(1, (past - first) / kBuckets)),
-      envelope(kForceCurves + kPositionCurves, bucket) {}
+      envelope(kForceCurves + kPositionCurves + kEnergyCurves, bucket) {}
 
 CurveLoader::CurveLoader(QObject* parent) : QObject(parent) {
   timer_.setInterval(0);
@@ -81,7 +82,8 @@ void CurveLoader::read(Pass& pass) {
     const TickRecord& record = reader_->at(pass.next);
     const auto force = forceSample(record);
     const auto position = positionSample(record);
-    pass.envelope.add(secondsOf(record), std::array{force[0], force[1], position[0], position[1], position[2]});
+    pass.envelope.add(secondsOf(record),
+                      std::array{force[0], force[1], position[0], position[1], position[2], energySample(record)[0]});
   }
 }
 
@@ -91,6 +93,10 @@ Curves CurveLoader::force() const {
 
 Curves CurveLoader::position() const {
   return curves(kForceCurves, kPositionCurves);
+}
+
+Curves CurveLoader::energy() const {
+  return curves(kForceCurves + kPositionCurves, kEnergyCurves);
 }
 
 /// The overview, and in its midst the detail where that is complete.

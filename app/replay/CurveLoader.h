@@ -31,6 +31,7 @@ class CurveLoader : public QObject {
 
   Curves force() const;     ///< as TickPlots' force plot has them [N]
   Curves position() const;  ///< [m]
+  Curves energy() const;    ///< [J]
   bool isLoading() const { return timer_.isActive(); }
 
  signals:

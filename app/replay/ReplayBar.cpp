@@ -40,11 +40,12 @@ struct ReplayBar::Parts {
   LogStateLabel* stateLabel = nullptr;
   SignalPlot* force = nullptr;
   SignalPlot* position = nullptr;
+  SignalPlot* energy = nullptr;
   CurveLoader loader;
   QTimer refineTimer;
   QMetaObject::Connection failures;
 
-  std::array<SignalPlot*, 2> plots() const { return {force, position}; }
+  std::array<SignalPlot*, 3> plots() const { return {force, position, energy}; }
 };
 
 ReplayBar::ReplayBar(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>()) {
@@ -52,6 +53,7 @@ ReplayBar::ReplayBar(QWidget* parent) : QWidget(parent), parts_(std::make_unique
   setFocusPolicy(Qt::StrongFocus);
   p.force = makeForcePlot(this);
   p.position = makePositionPlot(this);
+  p.energy = makeEnergyPlot(this);
   buildControls();
   addKeys();
   for (SignalPlot* plot : p.plots()) {
@@ -210,8 +212,10 @@ void ReplayBar::showCurves() {
   Parts& p = *parts_;
   const Curves force = p.loader.force();
   const Curves position = p.loader.position();
+  const Curves energy = p.loader.energy();
   p.force->setCurves(force.times, force.samples);
   p.position->setCurves(position.times, position.samples);
+  p.energy->setCurves(energy.times, energy.samples);
 }
 
 void ReplayBar::shareRange(double from, double to) {

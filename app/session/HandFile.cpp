@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include "app/session/CsvLine.h"
 
 namespace haptiv {
 namespace {
@@ -30,36 +31,9 @@ constexpr std::size_t kMostColumns = kColumns + kButtons.size();
 constexpr std::size_t kSampledFrom = 8;  // steps that a file has at least to be called sampled
 constexpr double kHole = 10;             // a step longer than so many usual ones is a hole
 
-/// A place in the file, for what is said of it.
-struct Place {
-  const std::filesystem::path& path;
-  std::size_t line = 0;
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw std::runtime_error(path.string() + ":" + std::to_string(line) + ": " + what);
-  }
-};
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r";
-  const std::size_t first = text.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
-
-std::vector<std::string_view> cellsOf(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    cells.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos || cells.size() > kMostColumns) return cells;
-    line.remove_prefix(comma + 1);
-  }
-}
-
 /// The buttons whose columns the file has, in its order.
-std::vector<Button> buttonsIn(std::string_view header, const Place& place) {
-  const std::vector<std::string_view> cells = cellsOf(header);
+std::vector<Button> buttonsIn(std::string_view header, const CsvPlace& place) {
+  const std::vector<std::string_view> cells = cellsOf(header, kMostColumns);
   const auto fail = [&] {
     place.fail(
         "the columns are \"" + std::string(header.substr(0, 80)) +
@@ -76,18 +50,8 @@ std::vector<Button> buttonsIn(std::string_view header, const Place& place) {
   return buttons;
 }
 
-double numberIn(std::string_view cell, const char* name, const Place& place) {
-  if (cell.empty()) place.fail(std::string(name) + " is empty. Fill the cell in, or delete the line");
-  double number = 0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
-  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(number))
-    place.fail(std::string(name) + " is \"" + std::string(cell.substr(0, 40)) +
-               "\", which is no finite number. Write it with a decimal point, such as 0.25");
-  return number;
-}
-
-HandWaypoint waypointIn(std::string_view line, const std::vector<Button>& buttons, const Place& place) {
-  const std::vector<std::string_view> cells = cellsOf(line);
+HandWaypoint waypointIn(std::string_view line, const std::vector<Button>& buttons, const CsvPlace& place) {
+  const std::vector<std::string_view> cells = cellsOf(line, kMostColumns);
   const std::size_t columns = kColumns + buttons.size();
   if (cells.size() != columns)
     place.fail(
@@ -127,7 +91,7 @@ std::string shortNumber(double number) {
 
 /// A recording has nearly the same step everywhere; a few waypoints by hand have not, and may be as far apart as they
 /// like.
-void expectNoHole(const std::vector<HandWaypoint>& waypoints, const std::vector<std::size_t>& lines, Place place) {
+void expectNoHole(const std::vector<HandWaypoint>& waypoints, const std::vector<std::size_t>& lines, CsvPlace place) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < waypoints.size(); ++i) steps.push_back(waypoints[i].time - waypoints[i - 1].time);
   if (steps.size() < kSampledFrom) return;
@@ -151,7 +115,7 @@ std::vector<HandWaypoint> readHandFile(const std::filesystem::path& path) {
   const std::string content = contentOf(path);
   std::string_view rest = content;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // byte order mark, as spreadsheets write it
-  Place place{path};
+  CsvPlace place{path};
   std::optional<std::vector<Button>> buttons;
   std::vector<HandWaypoint> waypoints;
   std::vector<std::size_t> lines;

@@ -90,6 +90,7 @@ Session::~Session() {
 }
 
 std::shared_ptr<const HapticScene> Session::publish(std::shared_ptr<const HapticScene> scene, std::string text) {
+  expectFeelable(*scene);
   const HapticScene& felt = *parts_->scene;
   const bool sameSeat = samePlacement(scene->device, felt.device) && scene->tool.home == felt.tool.home;
   const bool sameDriving = scene->resolution == felt.resolution && scene->control == felt.control;

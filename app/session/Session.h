@@ -67,6 +67,7 @@ class Session {
   /// Makes a new version of the scene felt, from the next tick on, and logs it. Returns the scene as it was taken:
   /// where the device stands and the tool's home cannot change while a session runs, how the redundancy is resolved
   /// and the arm driven stays as chosen, and a version that does not rise is replaced by one that does.
+  /// Throws std::runtime_error where a number of the scene is none; what was felt before stays in force.
   std::shared_ptr<const HapticScene> publish(std::shared_ptr<const HapticScene> scene, std::string text);
   /// Resolves the redundancy in this way from the next tick on, and logs it: a new version of the same scene.
   /// Throws std::runtime_error where the arm cannot be resolved so; what was chosen before stays.

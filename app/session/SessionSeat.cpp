@@ -9,13 +9,20 @@
 #include "app/version.h"
 #include "device/simulated/ScriptedHand.h"
 #include "haptics/scene/DeviceFrames.h"
+#include "haptics/scene/SceneNumbers.h"
 #include "haptics/servo/SessionStart.h"
 
 namespace haptiv {
+void expectFeelable(const HapticScene& scene) {
+  if (const std::string wrong = wrongNumberIn(scene); !wrong.empty())
+    throw std::runtime_error("a scene in which " + wrong + " cannot be felt, nor read back from a log: mend it");
+}
+
 void expectUsable(const SessionSetup& setup) {
   if (!setup.scene) throw std::invalid_argument("a session needs a scene: load one without errors first");
   if (!(setup.rate > 0 && setup.rate <= kHighestServoRate))
     throw std::runtime_error("the rate of a session is above 0, up to 8000 ticks per second: choose one, such as 1000");
+  expectFeelable(*setup.scene);
   expectResolvable(resolutionOf(*setup.scene, setup.description), setup.description);
   expectControllable(controlOf(*setup.scene, setup.description), setup.description);
   if (!setup.log) return;

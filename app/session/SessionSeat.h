@@ -10,6 +10,9 @@
 /// What live and fast sessions are both built from.
 namespace haptiv {
 
+/// Throws std::runtime_error where a number of the scene is none.
+void expectFeelable(const HapticScene& scene);
+
 /// Throws std::invalid_argument or std::runtime_error where a session cannot be run with this set-up: what, and what to
 /// do. Touches nothing.
 void expectUsable(const SessionSetup& setup);

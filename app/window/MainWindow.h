@@ -28,6 +28,8 @@ class MainWindow : public QMainWindow {
   void buildDocks();
   void connectParts();
   void connectDexterity();
+  void buildCalibration();
+  void calibrate();
   void enterEditing();
   void enterSession();
   void enterReplay(const QString& logPath);

@@ -65,7 +65,7 @@ void MainWindow::buildActions() {
   edit->addActions({p.editor->undo(), p.editor->redo()});
   edit->addSeparator();
   edit->addActions({p.editor->addWall(), p.editor->addDampingZone(), p.editor->addSpringZone(),
-                    p.editor->addRubberBand(), p.editor->remove()});
+                    p.editor->addRubberBand(), p.editor->duplicate(), p.editor->remove()});
   edit->addSeparator();
   edit->addAction(p.editor->makeSolid());
   edit->addSeparator();

@@ -4,6 +4,8 @@
 #include <initializer_list>
 #include <limits>
 
+#include "device/calibration/SensorMatrix.h"
+
 namespace haptiv {
 namespace {
 
@@ -19,6 +21,7 @@ class Checks {
 
   void lengths() const;
   void sensor() const;
+  void encoders() const;
   void counters() const;
   void safety() const;
   void hand() const;
@@ -69,6 +72,29 @@ void Checks::range(std::string_view name, double range, double resolution) const
 void Checks::sensor() const {
   range("force", d_.sensor.forceRange, d_.sensor.forceResolution);
   range("torque", d_.sensor.torqueRange, d_.sensor.torqueResolution);
+  Vector6 most;
+  most << Vector3::Constant(d_.sensor.forceRange), Vector3::Constant(d_.sensor.torqueRange);
+  if ((d_.sensor.bias.cwiseAbs().array() > 0.5 * most.array()).any())
+    failAt("sensor", {"bias"},
+           "sensor.bias is beyond half of the sensor's range, which leaves too little of it; mend the sensor");
+  if (!(sensorMatrixCondition(d_.sensor) <= kWorstSensorMatrix))
+    failAt("sensor", {"matrix"},
+           "sensor.matrix cannot be told back into what the sensor says: its condition is beyond 100; calibrate anew");
+}
+
+void Checks::encoders() const {
+  constexpr double kMost = std::numeric_limits<std::int32_t>::max();
+  const JointVector countsPerRadian = d_.drives.countsPerRadian();
+  for (int i = 0; i < d_.jointCount(); ++i) {
+    const std::string joint = " of joint " + std::to_string(i + 1);
+    if (d_.encoders.zero[i] != std::round(d_.encoders.zero[i]))
+      failAt("encoders", {"zero"}, "encoders.zero" + joint + " is no whole number of counts; round it");
+    for (const double angle : {0.0, d_.homeAngles[i], d_.encoders.reference[i]}) {
+      if (std::abs(angle * countsPerRadian[i] + d_.encoders.zero[i]) > kMost)
+        failAt("encoders", {"zero", "reference"},
+               "encoders.zero or reference" + joint + " is beyond the 32-bit counters; take whole turns off it");
+    }
+  }
 }
 
 void Checks::counters() const {
@@ -111,6 +137,7 @@ void checkWhole(const TomlValues& toml, const toml::table& root, const DeviceDes
   checks.lengths();
   checks.sensor();
   checks.counters();
+  checks.encoders();
   checks.safety();
   checks.hand();
 }

@@ -140,6 +140,17 @@ struct Reader {
          {{"man", &steps->man, notNegative}, {"dir", &steps->dir, notNegative}, {"cond", &steps->cond, notNegative}}});
   }
   void operator()(Vector3* value) const { toml.numbers(node, what, rule, "coordinate", {value->data(), 3}); }
+  void operator()(Vector6* value) const { toml.numbers(node, what, rule, "axis", {value->data(), 6}); }
+  void operator()(const SquareOfAxes& target) const {
+    const toml::array& rows = toml.list(node, what, "six lists of six numbers, one an axis");
+    if (rows.size() != 6) toml.fail(node, what + " has " + std::to_string(rows.size()) + " rows; give 6, one an axis");
+    for (int i = 0; i < 6; ++i) {
+      Vector6 row;
+      toml.numbers(rows[static_cast<std::size_t>(i)], what + ", row " + std::to_string(i + 1), any, "axis",
+                   {row.data(), 6});
+      target.rows->row(i) = row;
+    }
+  }
   void operator()(const RollPitchYaw& target) const {
     Vector3 angles;
     toml.numbers(node, what, any, "angle", {angles.data(), 3});
@@ -192,7 +203,11 @@ std::vector<Section> sectionsOf(DeviceDescription& d, int joints) {
         {"torqueNoise", &d.sensor.torqueNoise, notNegative},
         {"forceRange", &d.sensor.forceRange, positive},
         {"torqueRange", &d.sensor.torqueRange, positive},
-        {"bandwidth", &d.sensor.bandwidth, positive}}},
+        {"bandwidth", &d.sensor.bandwidth, positive},
+        {"bias", &d.sensor.bias},
+        {"matrix", SquareOfAxes{&d.sensor.matrix}}}},
+      {"encoders",
+       {{"zero", JointList{&d.encoders.zero, joints}}, {"reference", JointList{&d.encoders.reference, joints}}}},
       hand(d.hand),
       control(d.control),
       redundancy(d.redundancy, joints),

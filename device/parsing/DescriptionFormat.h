@@ -15,6 +15,10 @@ struct JointList {
   JointVector* values;
   int joints;  ///< as many entries as the arm has joints
 };
+/// A row an axis of the sensor.
+struct SquareOfAxes {
+  Matrix6* rows;
+};
 struct PoseList {
   std::vector<JointVector>* poses;  ///< joint angles, a list a pose
   int joints;
@@ -33,7 +37,7 @@ struct Inertia {
 };
 using Target =
     std::variant<double*, bool*, std::string*, Strategy*, Solution*, DisplayMode*, JointController*, OrientationMode*,
-                 StepLengths*, Vector3*, RollPitchYaw, Direction, Inertia, JointList, PoseList>;
+                 StepLengths*, Vector3*, Vector6*, SquareOfAxes, RollPitchYaw, Direction, Inertia, JointList, PoseList>;
 
 /// A key of the file.
 struct Field {

@@ -71,6 +71,7 @@ void read(const TomlValues& toml, const toml::table& root, DeviceDescription& d)
   if (!root["safety"]["countThreshold"])
     d.safety.countThreshold =
         kShutOffRate * d.safety.velocityTimeUnit * d.drives.rateLimit.cwiseProduct(d.drives.countsPerRadian());
+  if (!root["encoders"]["reference"]) d.encoders.reference = d.homeAngles;
   checkWhole(toml, root, d);
 }
 

@@ -4,21 +4,22 @@
 
 namespace haptiv {
 
-/// An incremental encoder at a motor's shaft, counting from the joint's zero.
+/// An incremental encoder at a motor's shaft: countsPerRadian * angle + zero.
 ///
 /// The nearest count; a counter at its end stays there, as wrapping would look like a jump of the arm.
 class Encoder {
  public:
-  explicit Encoder(double countsPerRadian) : countsPerRadian_(countsPerRadian) {}
+  /// @param zero  what it counts at the joint's zero, a whole number
+  explicit Encoder(double countsPerRadian, double zero = 0) : countsPerRadian_(countsPerRadian), zero_(zero) {}
 
   /// @param angle  of the joint, finite [rad]
   /// Realtime-safe: yes.
   std::int32_t count(double angle) const noexcept;
   /// Angle of a count [rad]. Realtime-safe: yes.
-  double angle(std::int32_t count) const noexcept { return count / countsPerRadian_; }
+  double angle(std::int32_t count) const noexcept { return (count - zero_) / countsPerRadian_; }
 
  private:
-  double countsPerRadian_;
+  double countsPerRadian_, zero_;
 };
 
 }  // namespace haptiv

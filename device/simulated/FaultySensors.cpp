@@ -1,16 +1,7 @@
 #include "device/simulated/FaultySensors.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace haptiv {
 namespace {
-
-std::int16_t lastCount(double range, double resolution) {
-  constexpr double kMost = std::numeric_limits<std::int16_t>::max();
-  return static_cast<std::int16_t>(std::min(std::floor(range / resolution), kMost));
-}
 
 /// As two's complement counters do it.
 std::int32_t sumWrapping(std::int32_t a, std::int32_t b) noexcept {
@@ -19,11 +10,7 @@ std::int32_t sumWrapping(std::int32_t a, std::int32_t b) noexcept {
 
 }  // namespace
 
-FaultySensors::FaultySensors(const HandleSensor& sensor) {
-  const std::int16_t force = lastCount(sensor.forceRange, sensor.forceResolution);
-  const std::int16_t torque = lastCount(sensor.torqueRange, sensor.torqueResolution);
-  saturated_ = {force, force, force, torque, torque, torque};
-}
+FaultySensors::FaultySensors(const HandleSensor& sensor) : saturated_(sensor.lastCounts()) {}
 
 BoardInputs FaultySensors::falsify(const BoardInputs& whole, const InjectedFaults& faults) noexcept {
   BoardInputs said = whole;

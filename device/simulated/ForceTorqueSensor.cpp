@@ -23,12 +23,15 @@ void ForceTorqueSensor::follow(const Wrench& wrench, double dt) noexcept {
 
 std::array<std::int16_t, 6> ForceTorqueSensor::measure() noexcept {
   std::array<std::int16_t, 6> measured{};
+  Vector6 wrench;
+  wrench << filtered_.force, filtered_.torque;
+  const Vector6 said = crosstalk_ * wrench + sensor_.bias;
   for (int i = 0; i < 3; ++i) {
-    const double force = filtered_.force[i] + sensor_.forceNoise * noise_.next();
+    const double force = said[i] + sensor_.forceNoise * noise_.next();
     measured[i] = counts(force, sensor_.forceRange, sensor_.forceResolution);
   }
   for (int i = 0; i < 3; ++i) {
-    const double torque = filtered_.torque[i] + sensor_.torqueNoise * noise_.next();
+    const double torque = said[3 + i] + sensor_.torqueNoise * noise_.next();
     measured[3 + i] = counts(torque, sensor_.torqueRange, sensor_.torqueResolution);
   }
   return measured;

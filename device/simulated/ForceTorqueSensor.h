@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/LU>
 #include <array>
 #include <cstdint>
 
@@ -9,10 +10,12 @@
 
 namespace haptiv {
 
-/// The six-axis sensor at the handle: a low-pass of first order, noise, saturation at its range, 16-bit counts.
+/// The six-axis sensor at the handle: a low-pass of first order, crosstalk and bias as the description's matrix and
+/// bias take them out again, noise, saturation at its range, 16-bit counts.
 class ForceTorqueSensor {
  public:
-  ForceTorqueSensor(const HandleSensor& sensor, std::uint64_t seed) : sensor_(sensor), noise_(seed) {}
+  ForceTorqueSensor(const HandleSensor& sensor, std::uint64_t seed)
+      : sensor_(sensor), crosstalk_(sensor.matrix.inverse()), noise_(seed) {}
 
   /// The wrench in T, which acts for dt [s]. Realtime-safe: yes.
   void follow(const Wrench& wrench, double dt) noexcept;
@@ -21,6 +24,7 @@ class ForceTorqueSensor {
 
  private:
   HandleSensor sensor_;
+  Matrix6 crosstalk_;  // from the wrench to what the sensor says, without bias
   Noise noise_;
   Wrench filtered_;
 };

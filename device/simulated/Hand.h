@@ -13,6 +13,7 @@ struct HandTarget {
   Vector3 position = Vector3::Zero();    ///< p_BH [m]
   std::uint16_t inputs = kInputDeadMan;  ///< OperatorInput bits
   std::optional<Matrix3> orientation{};  ///< R_BH; nothing: as the handle stood when the hand took hold of it
+  Wrench load{};                         ///< on the handle besides what the hand does, in T; of weights, say
 };
 
 /// Says what the hand wants at each tick. Implementations: ScriptedHand, LiveHand.

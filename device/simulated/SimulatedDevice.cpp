@@ -21,7 +21,7 @@ JointVector onCounts(const DeviceDescription& description, JointVector angles) {
   for (int i = 0; i < kJointCount; ++i) {
     if (!std::isfinite(angles[i]))
       throw std::runtime_error("start angle of joint " + std::to_string(i + 1) + " is not finite; give one in rad");
-    const Encoder encoder(countsPerRadian[i]);
+    const Encoder encoder(countsPerRadian[i], description.encoders.zero[i]);
     angles[i] = encoder.angle(encoder.count(angles[i]));
   }
   return angles;
@@ -130,6 +130,16 @@ void SimulatedDevice::write(const DeviceCommand& command) noexcept {
 
 void SimulatedDevice::stop() {
   parts_->running = false;
+}
+
+bool SimulatedDevice::homed() const {
+  return parts_->now.board.homed();
+}
+
+void SimulatedDevice::home(const PoseCounts& counts) {
+  if (!parts_->now.board.home(counts))
+    throw std::runtime_error("the drives are on; release the dead-man's button or end the session, then home");
+  parts_->reading = parts_->now.board.report().reading;
 }
 
 void SimulatedDevice::inject(const InjectedFaults& faults) noexcept {

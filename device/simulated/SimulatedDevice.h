@@ -5,6 +5,7 @@
 
 #include "device/DeviceDescription.h"
 #include "device/HapticDevice.h"
+#include "device/Homing.h"
 #include "device/simulated/Hand.h"
 #include "device/simulated/InjectedFaults.h"
 
@@ -16,7 +17,7 @@ namespace haptiv {
 ///
 /// Its time is the servo's: a write advances it by one period, with the set-points held. A start begins anew.
 /// The operator's buttons count from the first write on: a dead-man that is held before starts nothing.
-class SimulatedDevice : public HapticDevice {
+class SimulatedDevice : public HapticDevice, public Homing {
  public:
   /// @param start  joint angles at which the arm stands and the session begins [rad], rounded to encoder counts
   /// @param hand   null: nobody at the handle, the dead-man's button held down by other means
@@ -30,6 +31,11 @@ class SimulatedDevice : public HapticDevice {
   DeviceReading read() noexcept override;
   void write(const DeviceCommand& command) noexcept override;
   void stop() override;
+  Homing* homing() noexcept override { return this; }
+
+  bool homed() const override;
+  /// Lasts until the next start, which begins with encoders that have the description's zero.
+  void home(const PoseCounts& counts) override;
 
   /// Breaks what is named, and mends the rest, from the next write on; kept over a start. For tests.
   /// Realtime-safe: yes.  Thread: that of write.

@@ -77,7 +77,7 @@ DeviceCommand ArmControl::display(const ControlChoice& choice, const HapticScene
                                   const Vector3& force, const ControlState& state,
                                   std::uint32_t& clamps) const noexcept {
   Wrench onTool_B;
-  onTool_B.force = scene.device.rotation.transpose() * force;
+  onTool_B.force = scene.device.rotation.transpose() * clamps_.force(force, clamps);
   const Vector3 torque = choice.orientation == OrientationMode::free
                              ? display_.loose(measured)
                              : display_.holding(state.handle.rotation, measured);
@@ -86,7 +86,7 @@ DeviceCommand ArmControl::display(const ControlChoice& choice, const HapticScene
   command.enabled = true;
   command.mode = DriveMode::torque;
   command.jointTorques = display_(measured, onTool_B);
-  clamps_.command(command, clamps);
+  clamps_.command(command, measured.arm.J_BT, clamps);
   return command;
 }
 
@@ -107,17 +107,17 @@ DeviceCommand ArmControl::operator()(const ControlChoice& choice, const HapticSc
   Vector6 twist_B;
   twist_B << R_BW * velocity / device.scale, rate;
   const Pose wanted{placeInBase(device, state.admittance.position), state.handle.rotation};
-  const InverseKinematics::Motion motion =
-      kinematics_(scene.resolution.value_or(resolution_), wanted, twist_B, state.desiredAngles, state.resolution);
+  const InverseKinematics::Motion motion = kinematics_(scene.resolution.value_or(resolution_), wanted, twist_B,
+                                                       {state.desiredAngles, state.desiredRates}, state.resolution);
   const JointMotion desired{state.desiredAngles, motion.rates, (motion.rates - state.desiredRates) / period_};
   DeviceCommand command = joints(choice.joints, desired, measured, hand_B);
-  clamps_.command(command, clamps);
+  clamps_.command(command, measured.arm.J_BT, clamps);
   if (motion.share < 1) clamps |= kClampJointRate;
 
   state.desiredAngles += period_ * motion.rates;
   state.desiredRates = motion.rates;
-  state.admittance.velocity = motion.share * velocity;
-  state.admittance.position += period_ * state.admittance.velocity;
+  state.admittance.velocity = device.scale * (device.rotation * motion.velocity);
+  state.admittance.position += period_ * state.admittance.velocity - device.scale * (device.rotation * motion.heldBack);
   state.handle.rate = motion.share * rate;
   state.handle.rotation = turned(state.handle.rotation, state.handle.rate, period_);
   return command;

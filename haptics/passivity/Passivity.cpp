@@ -57,7 +57,6 @@ Vector3 Passivity::operator()(const ControlChoice& choice, const HapticScene& sc
     const Vector3 velocity = nextVelocity(ball, measured.handForce + record.environmentForce, scene.tool.mass, period_);
     added = dampMass(-observer.energy, velocity, scene.tool.mass, period_, largestForce_);
   }
-  observer.hold(record.environmentForce + added.force);
   record.passivityEnergy = observer.energy;
   record.passivityDamping = added.damping;
   return added.force;

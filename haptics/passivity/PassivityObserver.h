@@ -36,7 +36,7 @@ struct PassivityObserver {
   /// Realtime-safe: yes.
   void seeTool(const HandMeetsTool& now) noexcept;
 
-  /// The force that the display will hold until the next tick; only where it displays an impedance, in W [N].
+  /// The force on the ball until the next tick, in W [N].
   void hold(const Vector3& force) noexcept { heldForce = force; }
 
   /// Forgets what is more than kReserve and `stored`, which the scene's springs hold [J]. Realtime-safe: yes.

@@ -24,8 +24,8 @@ void limit(JointVector& values, const JointVector& limits, Clamp clamp, std::uin
 }  // namespace
 
 std::vector<std::string> clampNames(std::uint32_t clamps) {
-  constexpr std::array<const char*, kClampCount> kNames = {"force",        "torque",     "speed",
-                                                           "acceleration", "joint rate", "joint torque"};
+  constexpr std::array<const char*, kClampCount> kNames = {"force",      "torque",       "speed",     "acceleration",
+                                                           "joint rate", "joint torque", "correction"};
   std::vector<std::string> names;
   for (; clamps != 0; clamps &= clamps - 1) {
     const auto first = static_cast<std::size_t>(std::countr_zero(clamps));
@@ -36,6 +36,7 @@ std::vector<std::string> clampNames(std::uint32_t clamps) {
 
 Clamps::Clamps(const DeviceDescription& description, double period)
     : safety_(description.safety),
+      sentSpeed_(kSentShare * description.safety.speedClamp),
       rateLimit_(description.drives.rateLimit),
       torqueLimit_(description.drives.torqueLimit),
       period_(period) {}
@@ -52,10 +53,15 @@ Vector3 Clamps::velocity(const Vector3& before, const Vector3& wanted, double sc
                          std::uint32_t& clamps) const noexcept {
   const double fastest = before.norm() + scale * safety_.accelerationClamp * period_;
   const Vector3 gained = shortened(wanted, fastest, kClampAcceleration, clamps);
-  return shortened(gained, scale * safety_.speedClamp, kClampSpeed, clamps);
+  return shortened(gained, scale * sentSpeed_, kClampSpeed, clamps);
 }
 
-void Clamps::command(DeviceCommand& command, std::uint32_t& clamps) const noexcept {
+void Clamps::command(DeviceCommand& command, const Jacobian& J_BT, std::uint32_t& clamps) const noexcept {
+  const double speed = (J_BT.topRows<3>() * command.jointRates).norm();
+  if (speed > sentSpeed_) {
+    command.jointRates *= sentSpeed_ / speed;
+    clamps |= kClampCorrection;
+  }
   limit(command.jointRates, rateLimit_, kClampJointRate, clamps);
   limit(command.jointTorques, torqueLimit_, kClampJointTorque, clamps);
 }

@@ -15,7 +15,8 @@ constexpr double kFewCounts = 8;  // that any encoder may step by, however short
 }  // namespace
 
 EncoderMonitor::EncoderMonitor(const DeviceDescription& description, double period)
-    : ticksPerUnit_(std::max(1, static_cast<std::int32_t>(std::round(description.safety.velocityTimeUnit / period)))) {
+    : ticksPerUnit_(std::max(1, static_cast<std::int32_t>(std::round(description.safety.velocityTimeUnit / period)))),
+      mostStill_(std::max(kStuckTicks, static_cast<std::int32_t>(std::ceil(kStuckTime / period)))) {
   const JointVector perSecond = description.safety.countThreshold / description.safety.velocityTimeUnit;
   for (int i = 0; i < kJointCount; ++i) {
     const auto joint = static_cast<std::size_t>(i);
@@ -57,8 +58,10 @@ bool EncoderMonitor::stuck(const DeviceReading& reading, const JointVector* desi
   bool found = false;
   for (int i = 0; i < kJointCount; ++i) {
     const auto joint = static_cast<std::size_t>(i);
-    if (!before || reading.encoderCounts[joint] != state.counts[joint]) state.sentAt[i] = (*desired)[i];
-    found = found || std::abs((*desired)[i] - state.sentAt[i]) > kStuck;
+    const bool still = before && reading.encoderCounts[joint] == state.counts[joint];
+    if (!still) state.sentAt[i] = (*desired)[i];
+    state.still[joint] = still ? std::min(state.still[joint] + 1, mostStill_ + 1) : 0;
+    found = found || (state.still[joint] > mostStill_ && std::abs((*desired)[i] - state.sentAt[i]) > kStuck);
   }
   return found;
 }

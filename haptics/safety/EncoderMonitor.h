@@ -14,17 +14,21 @@ struct EncoderState {
   std::array<std::int64_t, kJointCount> impulses{};  ///< of each joint within the time unit that runs
   std::int32_t ticksOfUnit = 0;                      ///< that have passed of it
   bool sent = false;
-  JointVector sentAt = JointVector::Zero();  ///< where each joint was sent when its encoder last moved [rad]
+  JointVector sentAt = JointVector::Zero();       ///< where each joint was sent when its encoder last moved [rad]
+  std::array<std::int32_t, kJointCount> still{};  ///< ticks since then
 };
 
 /// Finds encoders that do not tell where the joints are, and joints that are too fast.
 ///
 /// Too fast: more than `countThreshold` impulses within `velocityTimeUnit`, as the device's own circuit counts them
 /// [paper, section III.D]. Jump: more than three times as many within a tick, which no joint can. Stuck: the count has
-/// stood still while the joint was sent on by kStuck. An encoder that jumps is not told to be too fast too.
+/// stood still for longer than kStuckTime and kStuckTicks while the joint was sent on by kStuck: soon, for the
+/// controller pushes a joint that seems to stand. An encoder that jumps is not told to be too fast too.
 class EncoderMonitor {
  public:
-  static constexpr double kStuck = 0.02;  ///< [rad]
+  static constexpr double kStuck = 0.002;      ///< [rad]: 130 counts
+  static constexpr double kStuckTime = 0.003;  ///< [s]
+  static constexpr std::int32_t kStuckTicks = 2;
 
   EncoderMonitor(const DeviceDescription& description, double period);
 
@@ -39,6 +43,7 @@ class EncoderMonitor {
   bool stuck(const DeviceReading& reading, const JointVector* desired, EncoderState& state) const noexcept;
 
   std::int32_t ticksPerUnit_;
+  std::int32_t mostStill_;                             ///< ticks
   std::array<std::int64_t, kJointCount> threshold_{};  ///< impulses within ticksPerUnit_
   std::array<std::int64_t, kJointCount> jump_{};       ///< impulses within a tick
 };

@@ -36,6 +36,7 @@ constexpr std::array<const char*, kFaultCount> kNames = {
     "device trip: asked for by the host",
     "device trip: power",
     "device trip: unknown",
+    "tool too fast",
 };
 
 }  // namespace

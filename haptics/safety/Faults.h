@@ -35,8 +35,10 @@ enum Fault : std::uint32_t {
   kFaultTripHost = 1u << 19,
   kFaultTripPower = 1u << 20,
   kFaultTripUnknown = 1u << 21,  ///< a device that is newer than this program
+  // What the host finds, again.
+  kFaultToolSpeed = 1u << 22,  ///< the tool comes near speedClamp, though it is sent more slowly
 };
-inline constexpr int kFaultCount = 22;
+inline constexpr int kFaultCount = 23;
 inline constexpr int kTripCount = 8;  ///< known Trip bits
 
 /// The faults that these trips are. Realtime-safe: yes.

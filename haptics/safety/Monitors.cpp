@@ -8,8 +8,9 @@ Monitors::Monitors(const DeviceDescription& description, double period)
     : sensor_(description, period),
       encoders_(description, period),
       missed_(description.safety.missedTime, period),
-      oscillation_(description.safety.oscillationSpeed, period),
-      runaway_(period),
+      oscillation_(description.safety, period),
+      runaway_(description, period),
+      toolSpeed_(description),
       trackingErrorLimit_(description.control.trackingErrorLimit) {}
 
 std::uint32_t Monitors::operator()(const DeviceReading& reading, const Measured& measured, const Driven& driven,
@@ -32,8 +33,8 @@ std::uint32_t Monitors::motion(const Measured& measured, const Driven& driven, M
   }
   const double error = (driven.desiredAngles - measured.angles).cwiseAbs().maxCoeff();
   const std::uint32_t tracking = !driven.isLed || error <= trackingErrorLimit_ ? kNoFault : kFaultTracking;
-  return tracking | oscillation_(driven.velocity, state.oscillation) |
-         runaway_(driven.clamps, driven.velocity, measured.handForce, state.runaway);
+  return tracking | toolSpeed_(measured) | oscillation_(driven.swinging, state.oscillation) |
+         runaway_(driven.clamps, driven.swinging.velocity, measured.handForce, state.runaway);
 }
 
 }  // namespace haptiv

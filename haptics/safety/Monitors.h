@@ -5,6 +5,7 @@
 #include "haptics/safety/OscillationMonitor.h"
 #include "haptics/safety/RunawayMonitor.h"
 #include "haptics/safety/SensorMonitor.h"
+#include "haptics/safety/ToolSpeedMonitor.h"
 
 namespace haptiv {
 
@@ -13,8 +14,8 @@ struct Driven {
   bool running = false;       ///< the scene is felt
   bool isLed = false;         ///< and the arm is sent to where it is desired, not merely pushed
   JointVector desiredAngles;  ///< that the joint controller was given [rad]
-  Vector3 velocity;           ///< of the virtual mass, at the device but along W's axes [m/s]
-  std::uint32_t clamps;       ///< Clamp bits of the tick before
+  Swinging swinging;          ///< what of it the hand feels
+  std::uint32_t clamps = 0;   ///< Clamp bits of the tick before
 };
 
 /// What the monitors remember from tick to tick.
@@ -45,6 +46,7 @@ class Monitors {
   MissedTickBudget missed_;
   OscillationMonitor oscillation_;
   RunawayMonitor runaway_;
+  ToolSpeedMonitor toolSpeed_;
   double trackingErrorLimit_;
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 
 #include "haptics/safety/Faults.h"
 
@@ -12,22 +11,17 @@ namespace {
 
 constexpr double kFlickers = 0.5;  // [counts] of noise that an axis needs in order to be watched
 
-/// The sensor's count at the end of its range; the count itself ends at 16 bits.
-std::int32_t lastCount(double range, double resolution) {
-  constexpr double kLargest = std::numeric_limits<std::int16_t>::max();
-  return static_cast<std::int32_t>(std::min(std::floor(range / resolution), kLargest));
-}
-
 }  // namespace
 
 SensorMonitor::SensorMonitor(const DeviceDescription& description, double period)
     : mostRepeats_(static_cast<std::int32_t>(std::max(std::ceil(kStuckTime / period), kStuckTicks))),
       handForceLimit_(description.safety.handForceLimit) {
   const HandleSensor& sensor = description.sensor;
+  const auto last = sensor.lastCounts();
   for (std::size_t i = 0; i < 6; ++i) {
     const bool force = i < 3;
     const double resolution = force ? sensor.forceResolution : sensor.torqueResolution;
-    saturation_[i] = lastCount(force ? sensor.forceRange : sensor.torqueRange, resolution);
+    saturation_[i] = last[i];
     flickers_[i] = (force ? sensor.forceNoise : sensor.torqueNoise) >= kFlickers * resolution;
   }
 }

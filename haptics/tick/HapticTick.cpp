@@ -45,8 +45,12 @@ void halt(TickState& state) noexcept {
 
 Driven drivenBy(const ControlChoice& choice, const HapticScene& scene, const TickState& state) noexcept {
   const bool running = state.session.now == SessionState::running;
-  return {running, running && choice.display != DisplayMode::impedance, state.control.desiredAngles,
-          state.control.admittance.velocity / scene.device.scale, state.clamps};
+  const PassivityObserver& observer = state.passivity.observer;
+  return {running,
+          running && choice.display != DisplayMode::impedance,
+          state.control.desiredAngles,
+          {state.control.admittance.velocity / scene.device.scale, observer.heldForce, observer.energy},
+          state.clamps};
 }
 
 }  // namespace
@@ -86,8 +90,9 @@ void HapticTick::run(const ControlChoice& choice, const HapticScene& scene, cons
   feel(scene, control_.felt(choice, scene, measured, state.control), state, record);
   const Vector3 damped =
       passivity_(choice, scene, measured, state.control.admittance, state.contacts, state.passivity, record);
-  record.command =
-      control_(choice, scene, measured, record.environmentForce + damped, state.contacts, state.control, record.clamps);
+  const Vector3 shown = clamps_.force(record.environmentForce + damped, record.clamps);
+  state.passivity.observer.hold(shown);
+  record.command = control_(choice, scene, measured, shown, state.contacts, state.control, record.clamps);
   state.clamps = record.clamps;
 }
 

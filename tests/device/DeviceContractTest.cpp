@@ -152,6 +152,28 @@ TEST_P(DeviceContract, StopsTwiceAndStartsAgainAndMoves) {
   EXPECT_GT(run(moving(1), 50).encoderCounts[1], before.encoderCounts[1]);
 }
 
+TEST_P(DeviceContract, ReportsTheCountsThatItsEncodersAreTold) {
+  device_->start(kTick);
+  run(DeviceCommand{}, 5);
+  Homing* homing = device_->homing();
+  if (homing == nullptr) GTEST_SKIP() << "its encoders cannot be told";
+  PoseCounts counts{};
+  counts[3] = -12345;
+  homing->home(counts);
+  EXPECT_TRUE(homing->homed());
+  EXPECT_NEAR(run(DeviceCommand{}, 1).encoderCounts[3], -12345, 1);
+}
+
+TEST_P(DeviceContract, KeepsItsCountsWhileTheDrivesAreOn) {
+  device_->start(kTick);
+  run(turning(0, 0.1), 20);
+  Homing* homing = device_->homing();
+  if (homing == nullptr) GTEST_SKIP() << "its encoders cannot be told";
+  const DeviceReading before = device_->read();
+  EXPECT_THROW(homing->home(PoseCounts{}), std::runtime_error);
+  EXPECT_EQ(device_->read().encoderCounts, before.encoderCounts);
+}
+
 TEST_P(DeviceContract, RefusesAPeriodThatIsNone) {
   for (const double period : {0., -1e-3, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THROW(device_->start(period), std::runtime_error);

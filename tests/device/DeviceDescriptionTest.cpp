@@ -183,6 +183,21 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"GripSofterThanTheHand", "schema = 1\n[hand]\ngripStiffness = 300\n", "arm.toml:3:17: ", "raise"},
         BadFile{"HandWithoutMass", "schema = 1\n[hand]\nmass = 1e-6\n", "arm.toml:3:8: ", "swing"},
         BadFile{"LinksOfMillimetres", "schema = 1\n[links]\nscara = 250\n", "arm.toml:3:9: ", "metres"},
+        BadFile{"ShortBias", "schema = 1\n[sensor]\nbias = [1, 2]\n", "arm.toml:3:8: ", "2 entries; give 6"},
+        BadFile{"BiasOfHalfTheRange", "schema = 1\n[sensor]\nbias = [0, 0, 201, 0, 0, 0]\n", "arm.toml:3:8: ", "half"},
+        BadFile{"MatrixAsRow", "schema = 1\n[sensor]\nmatrix = [1, 0, 0, 0, 0, 0]\n", "arm.toml:3:", "row 1"},
+        BadFile{"SingularMatrix",
+                "schema = 1\n[sensor]\nmatrix = [[1,0,0,0,0,0],[0,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],"
+                "[0,0,0,0,1,0],[0,0,0,0,1,0]]\n",
+                "arm.toml:3:10: ", "calibrate anew"},
+        BadFile{"FiveRows", "schema = 1\n[sensor]\nmatrix = [[], [], [], [], []]\n",
+                "arm.toml:3:10: ", "5 rows; give 6"},
+        BadFile{"ZeroOfHalfACount", "schema = 1\n[encoders]\nzero = [0,0,0,0.5,0,0,0,0,0,0]\n",
+                "arm.toml:3:8: ", "joint 4 is no whole number"},
+        BadFile{"ZeroBeyondCounts",
+                "schema = 1\n[encoders]\nzero = [9e8,0,0,0,0,0,0,0,0,0]\nreference = "
+                "[99999,0,0,0,0,0,0,0,0,0]\n",
+                "arm.toml:3:8: ", "joint 1 is beyond the 32-bit"},
         BadFile{"HomeBeyondCounts", "schema = 1\n[home]\nangles = [1e6,0,0,0,0,0,0,0,0,0]\n",
                 "arm.toml:3:10: ", "turns"}),
     [](const auto& instance) { return std::string(instance.param.what); });
@@ -209,6 +224,29 @@ TEST(DeviceDescription, DecodesCountsToRadiansAndNewtons) {
   const Wrench wrench = d.handleWrench(reading);
   EXPECT_TRUE(wrench.force.isApprox(Vector3(2, -4, 0), 1e-14));
   EXPECT_TRUE(wrench.torque.isApprox(Vector3(1, 0, -30), 1e-14));
+}
+
+TEST(DeviceDescription, TakesBiasCrosstalkAndZeroOutOfTheCounts) {
+  const DeviceDescription d = parseDeviceDescription(
+      "schema = 1\n[sensor]\nforceResolution = 0.5\ntorqueResolution = 0.25\nbias = [1, 2, 3, 4, 5, 6]\nmatrix = "
+      "[[2,0,0,0,0,1],[0,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,0,1]]\n"
+      "[drives]\ngearRatio = [1,1,1,1,1,1,1,1,1,1]\n[encoders]\nzero = [1024,0,0,0,0,0,0,0,0,-1024]\n",
+      "arm.toml");
+  DeviceReading reading;
+  reading.sensorCounts = {10, 4, 6, 16, 20, 48};  // 5, 2, 3 N; 4, 5, 12 N m
+  reading.encoderCounts[0] = 2048;
+  EXPECT_EQ(d.handleWrench(reading).force, Vector3(2 * 4 + 6, 0, 0));
+  EXPECT_EQ(d.handleWrench(reading).torque, Vector3(0, 0, 6));
+  const JointVector q = d.jointAngles(reading);
+  EXPECT_NEAR(q[0], std::numbers::pi / 2, 1e-14);
+  EXPECT_NEAR(q[9], std::numbers::pi / 2, 1e-14);
+  EXPECT_EQ(d.countsAt(q), reading.encoderCounts);
+}
+
+TEST(DeviceDescription, HasItsHomeForAReferencePoseWhereItNamesNone) {
+  const DeviceDescription d = loadDeviceDescription("vishard10");
+  EXPECT_EQ(d.encoders.reference, d.homeAngles);
+  EXPECT_EQ(d.encoders.zero, JointVector(JointVector::Zero()));
 }
 
 TEST(DeviceDescription, GivesGearsAndRatesOfThePapersDrives) {

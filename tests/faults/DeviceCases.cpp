@@ -49,6 +49,13 @@ auto axesFrozen(std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) chain.reading.sensorCounts[i] = kept[i];
   };
 }
+/// A joint's encoder tells what it told at the injection, for ever.
+auto encoderFrozen(std::size_t joint) {
+  return [joint, kept = std::int32_t{0}](Chain& chain, int since) mutable {
+    if (since == 0) kept = chain.reading.encoderCounts[joint];
+    chain.reading.encoderCounts[joint] = kept;
+  };
+}
 /// Joint 3's encoder is off by so many counts, and by so many more with every tick.
 auto encoderOff(double counts, double perTick) {
   return [=](Chain& chain, int since) {
@@ -73,6 +80,8 @@ FaultGroup sensorFaults() {
       {step({"an axis at the end of its range", kFaultSensorSaturated, kNoClamp, SessionState::fault, 1,
              pressing([](Chain& chain, int) { chain.reading.sensorCounts[1] = -20000; })}),
        {"an axis stuck", kFaultSensorStuck, kNoClamp, SessionState::fault, 101, pressing(axesFrozen(4, 5))},
+       {"the sensor's cable is cut: all axes tell zero", kFaultSensorStuck, kNoClamp, SessionState::fault, 101,
+        pressing([](Chain& chain, int) { chain.reading.sensorCounts = {}; })},
        {"all axes stuck at 1 m/s", kFaultSensorStuck, kNoClamp, SessionState::fault, 101, carrying(axesFrozen(0, 6))},
        {"a force that no hand has (310 N)", kFaultHandForce, kNoClamp, SessionState::fault, 1,
         pressing(axisOff(2, 15500))}}};
@@ -82,15 +91,19 @@ FaultGroup encoderFaults() {
   return {"Encoders and joints",
           {{"an encoder jumps by 0.1 rad", kFaultEncoderJump, kNoClamp, SessionState::fault, 1,
             pressing(encoderOff(6519, 0))},
-           {"an encoder stands still at 1 m/s", kFaultEncoderStuck, kNoClamp, SessionState::fault, 100,
-            carrying([kept = std::int32_t{0}](Chain& chain, int since) mutable {
-              if (since == 0) kept = chain.reading.encoderCounts[2];
-              chain.reading.encoderCounts[2] = kept;
-            })},
+           {"an encoder stands still at 1 m/s: joint 1", kFaultEncoderStuck, kNoClamp, SessionState::fault, 10,
+            carrying(encoderFrozen(0))},
+           {"an encoder stands still at 1 m/s: joint 3", kFaultEncoderStuck, kNoClamp, SessionState::fault, 10,
+            carrying(encoderFrozen(2))},
+           {"the same under computed torque: joint 3", kFaultEncoderStuck, kNoClamp, SessionState::fault, 10,
+            carrying(encoderFrozen(2)), 1, 0.5,
+            [](Chain& chain) { chain.description.control.choice.joints = JointController::computedTorque; }},
            {"an encoder runs away, a joint seems too fast", kFaultJointSpeed, kNoClamp, SessionState::fault, 2,
             pressing(encoderOff(0, 1000))},
-           {"an encoder slips by 5 rad/s", kFaultTracking, kNoClamp, SessionState::fault, 400,
-            pressing(encoderOff(0, 326)), 1, 1}}};
+           {"an encoder slips by 5 rad/s, the tool seems too fast", kFaultToolSpeed, kNoClamp, SessionState::fault, 5,
+            pressing(encoderOff(0, 326))},
+           {"an encoder slips by 3.5 rad/s", kFaultTracking, kNoClamp, SessionState::fault, 400,
+            pressing(encoderOff(0, 228)), 1, 1}}};
 }
 
 FaultGroup connectionFaults() {

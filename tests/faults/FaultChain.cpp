@@ -5,7 +5,7 @@
 namespace haptiv::faults {
 namespace {
 
-constexpr double kStill = 0.005;  // [m/s] of the tool at rest; an encoder's count is a tenth of it
+constexpr double kStill = 0.005;  // [m/s] of the tool at rest
 
 /// Does what the case says.
 class CaseHand : public HandSource {
@@ -17,28 +17,13 @@ class CaseHand : public HandSource {
   const Operator& hand_;
 };
 
-/// Where the real tool is and how fast, whatever the host is told.
-class TrueTool {
- public:
-  explicit TrueTool(const DeviceDescription& description) : description_(description), arm_(description) {}
-
-  double speed(const DeviceReading& truth) {
-    const Vector3 now = arm_.forward(description_.jointAngles(truth)).position;
-    const double speed = started_ ? (now - last_).norm() * kRate : 0;
-    started_ = true;
-    last_ = now;
-    return speed;
-  }
-
- private:
-  DeviceDescription description_;
-  ArmKinematics arm_;
-  bool started_ = false;
-  Vector3 last_ = Vector3::Zero();
-};
+/// How fast the real tool is, whatever the host is told [m/s].
+double speedOf(const ArmKinematics& arm, const SimulatedDevice::Truth& truth) {
+  return (arm.evaluate(truth.angles).J_BT.topRows<3>() * truth.rates).norm();
+}
 
 /// Adds a tick to what came of the fault.
-void add(Outcome& outcome, const TickRecord& record, double speed, double forceStep, int since) {
+void add(Outcome& outcome, const TickRecord& record, double speed, double handForce, int since) {
   outcome.faults = record.faults;
   outcome.state = record.state;
   outcome.clamps |= record.clamps;
@@ -48,7 +33,7 @@ void add(Outcome& outcome, const TickRecord& record, double speed, double forceS
   if (speed <= kStill && outcome.atRest < 0) outcome.atRest = since + 1;
   outcome.force = std::max(outcome.force, record.environmentForce.norm());
   outcome.speed = std::max(outcome.speed, speed);
-  outcome.forceStep = std::max(outcome.forceStep, forceStep);
+  outcome.handForce = std::max(outcome.handForce, handForce);
 }
 
 }  // namespace
@@ -66,7 +51,7 @@ FaultChain::FaultChain() : description(loadDeviceDescription("vishard10")) {
 Outcome FaultChain::run(double injectAt, double goesOn, const Script& script) {
   SimulatedDevice device(description, description.homeAngles, std::make_unique<CaseHand>(hand), 1);
   const HapticTick tick(description, 1 / kRate);
-  TrueTool tool(description);
+  const ArmKinematics arm(description);
   TickState state;
   Outcome outcome;
   Vector3 lastForce = Vector3::Zero();
@@ -80,8 +65,11 @@ Outcome FaultChain::run(double injectAt, double goesOn, const Script& script) {
     hostSilent = false;
     script(*this, since);
     const TickRecord record = tick(scene, reading, state, missedTicks);
-    const double speed = tool.speed(truth);
-    if (since >= 0) add(outcome, record, speed, (record.environmentForce - lastForce).norm(), since);
+    if (since >= 0) {
+      const SimulatedDevice::Truth real = device.truth();
+      add(outcome, record, speedOf(arm, real), real.hand.force.norm(), since);
+      outcome.forceStep = std::max(outcome.forceStep, (record.environmentForce - lastForce).norm());
+    }
     lastForce = record.environmentForce;
     device.inject({.hostSilent = hostSilent});
     device.write(record.command);

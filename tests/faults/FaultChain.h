@@ -28,6 +28,7 @@ struct Outcome {
   double force = 0;      ///< largest of the scene on the ball since the injection [N]
   double speed = 0;      ///< largest of the real tool since then [m/s]
   double forceStep = 0;  ///< largest from tick to tick since then [N]
+  double handForce = 0;  ///< largest between hand and handle since then [N]
 };
 
 /// Device and tick in simulated time, with a case's hand between them. The arm stands at home, a wall 50 mm before it.

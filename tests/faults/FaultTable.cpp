@@ -52,12 +52,20 @@ In most cases the operator presses 20 N on a wall of 2000 N/m, or carries the ba
 command that brakes; 1 ms is the same tick. *At rest* is the time until the tool stands still. *Force* is the largest of the scene on the ball from the
 injection on, *step* its largest change from tick to tick, *speed* the largest of the tool, whatever the host is told. A dash: the session goes on.
 
-Limits: %FORCE% N, %SPEED% m/s. The clamps bound what the arm is sent to do: the force never leaves them; the tool itself, pulled by a hand, may be a little faster.
+Limits, which nothing leaves: %FORCE% N for the scene's force, %SPEED% m/s for the tool. What a hand itself pulls and pushes with is not for the arm to bound:
+between hand and handle there were up to %HAND% N, of a hand that can give 170 N and has a mass of its own.
 )";
 
 constexpr const char* kColumns =
     "| injected | found as | brakes [ms] | at rest [ms] | force [N] | step [N] | speed [m/s] |\n"
     "|---|---|---|---|---|---|---|\n";
+
+double largestHandForce(const std::vector<Section>& sections) {
+  double largest = 0;
+  for (const Section& section : sections)
+    for (const Line& line : section.lines) largest = std::max(largest, line.outcome.handForce);
+  return largest;
+}
 
 void replace(std::string& text, const std::string& mark, const std::string& by) {
   text.replace(text.find(mark), mark.size(), by);
@@ -99,6 +107,7 @@ std::string faultTable(const std::vector<Section>& sections, const std::vector<P
   std::string text = kHead;
   replace(text, "%FORCE%", number(safety.forceClamp, 0));
   replace(text, "%SPEED%", number(safety.speedClamp, 1));
+  replace(text, "%HAND%", number(largestHandForce(sections), 0));
   for (const Section& section : sections) {
     text += "\n## " + section.name + "\n\n" + kColumns;
     for (const Line& line : section.lines) text += row(line);

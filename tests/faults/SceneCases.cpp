@@ -33,6 +33,11 @@ void jerk(Chain& chain, int since) {
   chain.hand.target.holding = true;
   chain.hand.target.position = chain.home() + Vector3(0, since < 0 ? -0.3 : 0.6, 0);
 }
+/// The same, but for a hand that lets go when the arm has stopped.
+void jerkAndLetGo(Chain& chain, int since) {
+  jerk(chain, since);
+  if (since > 300) chain.hand.target.holding = false;
+}
 /// The hand throws the ball at the wall as hard as it can.
 void thrust(Chain& chain, int since) {
   chain.hand.target.holding = true;
@@ -68,23 +73,30 @@ FaultGroup sceneFaults() {
 
 FaultGroup clampCases() {
   const auto running = SessionState::running;
-  return {"Clamps",
-          {{"the ball is thrown into a wall of 40,000 N/m", kNoFault, kClampForce, running, 0,
-            madeSo([](HapticScene& scene) { scene.walls[0].surface.stiffness = 4e4; }, thrust)},
-           {"the hand pulls a light ball with 170 N", kNoFault, kClampSpeed | kClampAcceleration, running, 0,
-            madeSo(
-                [](HapticScene& scene) {
-                  scene.walls.clear();
-                  scene.tool.mass = 0.5;
-                },
-                jerk)},
-           {"joints near their rate limits", kNoFault, kClampJointRate, running, 0, jerk, 1, 0.5,
-            [](Chain& chain) { chain.description.drives.rateLimit.setConstant(1.2); }}}};
+  const auto nothing = [](HapticScene& scene) { scene.walls.clear(); };
+  return {
+      "Clamps",
+      {{"the ball is thrown into a wall of 40,000 N/m", kNoFault, kClampForce, running, 0,
+        madeSo([](HapticScene& scene) { scene.walls[0].surface.stiffness = 4e4; }, thrust)},
+       {"the hand pulls a light ball with 170 N", kNoFault, kClampSpeed | kClampAcceleration, running, 0,
+        madeSo(
+            [](HapticScene& scene) {
+              scene.walls.clear();
+              scene.tool.mass = 0.5;
+            },
+            jerk)},
+       {"the same under computed torque", kNoFault, kClampSpeed | kClampAcceleration, running, 0, madeSo(nothing, jerk),
+        1, 0.5, [](Chain& chain) { chain.description.control.choice.joints = JointController::computedTorque; }},
+       {"the hand drives the bare arm with 170 N, impedance display", kFaultToolSpeed, kNoClamp, SessionState::fault,
+        500, madeSo(nothing, jerkAndLetGo), 1, 1,
+        [](Chain& chain) { chain.description.control.choice.display = DisplayMode::impedance; }},
+       {"joints near their rate limits", kNoFault, kClampJointRate, running, 0, jerk, 1, 0.5,
+        [](Chain& chain) { chain.description.drives.rateLimit.setConstant(1.2); }}}};
 }
 
 FaultGroup stabilityFaults() {
   return {"Stability",
-          {{"runaway admittance: a medium that pushes (-10 N s/m), nobody holds the ball", kFaultTracking, kClampSpeed,
+          {{"runaway admittance: a medium that pushes (-10 N s/m), nobody holds the ball", kFaultRunaway, kClampSpeed,
             SessionState::fault, 1000,
             madeSo(
                 [](HapticScene& scene) {
@@ -93,6 +105,8 @@ FaultGroup stabilityFaults() {
                 },
                 nudge),
             1, 1.2},
+           {"oscillation: a wall of 20,000,000 N/m", kFaultOscillation, kClampForce, SessionState::fault, 1000,
+            madeSo([](HapticScene& scene) { scene.walls[0].surface.stiffness = 2e7; }, press), 0.01, 1.5},
            {"oscillation: a ball of 20 g in a firm grip", kFaultOscillation, kNoClamp, SessionState::fault, 1500,
             madeSo(
                 [](HapticScene& scene) {

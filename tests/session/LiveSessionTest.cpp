@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
+#include <cmath>
+#include <stdexcept>
 #include <thread>
 
 #include "app/session/Resimulation.h"
@@ -68,6 +70,8 @@ TEST(LiveSession, KeepsItsDeviceItsHomeAndRisingVersions) {
   fine.version = 5;
   const auto scene = std::make_shared<const HapticScene>(fine);
   EXPECT_EQ(session.publish(scene, ""), scene);
+  fine.tool.damping = std::nan("");
+  EXPECT_THROW(session.publish(std::make_shared<const HapticScene>(fine), ""), std::runtime_error);
 }
 
 TEST(LiveSession, AStrategyChosenLiveIsLoggedKeptThroughEditsAndNotFelt) {

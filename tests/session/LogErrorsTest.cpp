@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <hdf5.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "tests/session/SessionFixtures.h"
@@ -15,6 +16,17 @@ using namespace haptiv::testing;
 TEST(LogErrors, TellsAFolderThatDoesNotExist) {
   const TemporaryFolder folder;
   EXPECT_THAT(messageOf([&] { SessionLogWriter(folder / "no/s.h5", someHeader()); }), HasSubstr("Choose a folder"));
+}
+
+TEST(LogErrors, RefusesASceneThatCouldNotBeReadAgain) {
+  const TemporaryFolder folder;
+  SessionLogWriter writer(folder / "s.h5", someHeader());
+  HapticScene wrong;
+  wrong.walls.resize(1);
+  wrong.walls[0].id = 7;
+  wrong.walls[0].surface.damping = std::nan("");
+  EXPECT_THAT(messageOf([&] { writer.addScene(wrong, ""); }),
+              AllOf(HasSubstr("s.h5"), HasSubstr("the damping of the wall with id 7 is no finite number")));
 }
 
 TEST(LogErrors, TellsAFileThatIsNone) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <thread>
 
 #include "tests/session/SessionFixtures.h"
@@ -148,6 +149,18 @@ TEST(FastSession, RefusesWhatCannotBeRun) {
   HapticScene far = wallScene();
   far.device.position = Vector3(5, 0, 0);
   EXPECT_THAT(messageOf([&] { runFast(setupFor(far), 1); }), HasSubstr("out of the arm's reach"));
+}
+
+TEST(FastSession, RefusesASceneThatItsLogCouldNotGiveBack) {
+  std::vector<HapticScene> wrong(4, wallScene());
+  wrong[0].walls[0].surface.stiffness = std::nan("");
+  wrong[1].tool.mass = 0;
+  wrong[2].walls[0].shape.axes(1, 2) = std::numeric_limits<double>::infinity();
+  wrong[3].device.position.y() = std::nan("");
+  const std::vector<std::string> told = {"stiffness of the wall", "mass of the tool", "size of the wall",
+                                         "position of the device"};
+  for (std::size_t i = 0; i < wrong.size(); ++i)
+    EXPECT_THAT(messageOf([&] { runFast(setupFor(wrong[i]), 1); }), HasSubstr(told[i]));
 }
 
 }  // namespace

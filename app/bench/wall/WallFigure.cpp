@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "device/control/ControlNames.h"
+
 namespace haptiv {
 namespace {
 
@@ -76,7 +78,9 @@ FigureCurve optimumCurve(const WallMap& map) {
 Figure wallFigure(const WallMap& map) {
   Figure figure;
   std::string rate = std::to_string(std::lround(map.rate));
-  figure.title = "Stable walls: " + map.device + " at " + rate + " Hz, virtual mass 2 kg";
+  figure.title = "Stable walls: " + map.device + " at " + rate + " Hz, " + nameOf(map.control.display) + ", " +
+                 (map.control.display == DisplayMode::impedance ? "the arm's own mass"
+                                                                : nameOf(map.control.joints) + ", virtual mass 2 kg");
   figure.columns = static_cast<int>(map.shaking.size());
   for (const WallVariant variant : kWallVariants) {
     const int style = static_cast<int>(variant);

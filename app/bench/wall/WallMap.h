@@ -25,6 +25,7 @@ struct WallShaking {
 /// The Z-width of a device at a rate: which walls can be shown without shaking.
 struct WallMap {
   std::string device;
+  ControlChoice control;          ///< but for passivity control, which is a variant
   double rate = 0;                ///< [Hz]
   double mass = 0;                ///< of the virtual mass [kg]
   std::vector<double> damping;    ///< ascending, by equal factors [N s/m]
@@ -42,7 +43,7 @@ struct WallMap {
 struct WallNet {
   std::vector<double> damping = geometric(1, 1000, 10);
   std::vector<double> stiffness = geometric(1e3, 1e7, 13);
-  int refinements = 3;  ///< halvings of the factor between two rows
+  int refinements = 2;  ///< halvings of the factor between two rows
 
   static std::vector<double> geometric(double first, double last, int count);
 };

@@ -11,14 +11,15 @@
 namespace haptiv {
 namespace {
 
-constexpr double kSeconds = 2.4;                      // the approach takes 0.3
-constexpr double kFirstLook = 1.4, kLastLook = 2.15;  // [s]
+constexpr double kSeconds = 2.0;                      // the approach takes 0.3
+constexpr double kFirstLook = 1.2, kLastLook = 1.75;  // [s]
 constexpr double kReach = 0.3;                        // [s]
 constexpr double kRadius = 0.01;                      // of the ball [m]
 constexpr double kThickness = 0.1;                    // [m]
 
 constexpr double kWindow = 0.25;  // [s]
-constexpr double kFalls = 0.7;
+constexpr double kFalls = 0.75;
+constexpr double kVeryCalm = 0.25;  // of kCalm
 
 /// Peak to peak about the straight line that fits best: a force that creeps does not oscillate.
 double oscillationOf(const std::vector<double>& values) {
@@ -102,23 +103,25 @@ WallOutcome WallTouch::operator()(const WallTrial& trial) const {
   const Vector3 goal = scene.tool.home + Vector3(beyond, 0, 0);
   SimulatedDevice device(
       description, description.homeAngles,
-      std::make_unique<ScriptedHand>(std::vector<HandWaypoint>{{0, scene.tool.home}, {kReach, goal}}), 1);
+      std::make_unique<ScriptedHand>(std::vector<HandWaypoint>{{0, scene.tool.home}, {kReach, goal}}), trial.seed);
   device.start(1 / rate_);
   TickState state;
   WallOutcome outcome;
   Window first{kFirstLook}, last{kLastLook};
-  bool held = true;
+  bool held = true, calm = false;
   const auto end = static_cast<std::uint64_t>(kSeconds * rate_);
-  for (; held && outcome.ticks < end; ++outcome.ticks) {
+  const auto looked = static_cast<std::uint64_t>((kFirstLook + kWindow) * rate_);
+  for (; held && !calm && outcome.ticks < end; ++outcome.ticks) {
     const TickRecord record = serveTick(
         device, tick_, [&]() noexcept -> const HapticScene& { return scene; }, state);
     const double time = static_cast<double>(outcome.ticks) / rate_;
     held = record.faults == kNoFault && (time < kLastLook || record.contacts > 0);
     first.see(time, record);
     last.see(time, record);
+    calm = outcome.ticks + 1 == looked && record.contacts > 0 && first.oscillation() <= kVeryCalm * kCalm;
   }
   device.stop();
-  outcome.oscillation = held ? last.oscillation() : INFINITY;
+  outcome.oscillation = held ? (calm ? first : last).oscillation() : INFINITY;
   outcome.isStable = held && (outcome.oscillation <= kCalm || outcome.oscillation < kFalls * first.oscillation());
   return outcome;
 }

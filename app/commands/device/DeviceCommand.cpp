@@ -1,14 +1,19 @@
 #include "app/commands/device/DeviceCommand.h"
 
+#include "app/commands/device/DeviceCalibrateCommand.h"
 #include "app/commands/device/DeviceCheckCommand.h"
+#include "app/commands/device/DeviceHomeCommand.h"
 #include "app/commands/device/DeviceListCommand.h"
 
 namespace haptiv {
 
 void addDeviceCommand(const Command& program) {
-  const Command device = program.addGroup("device", "What devices there are, and what an arm can do");
+  const Command device =
+      program.addGroup("device", "What devices there are, what an arm can do; calibration and homing");
   addDeviceListCommand(device);
   addDeviceCheckCommand(device);
+  addDeviceCalibrateCommand(device);
+  addDeviceHomeCommand(device);
 }
 
 }  // namespace haptiv

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/session/log/LogLayout.h"
+#include "haptics/scene/SceneNumbers.h"
 
 namespace haptiv {
 namespace {
@@ -107,6 +108,8 @@ void SessionLogWriter::File::add(const HapticScene& scene, const std::string& te
                "a scene of version " + std::to_string(scene.version) + " comes after one of version " +
                    std::to_string(newestVersion_),
                "Give every scene of a session a greater version");
+  if (const std::string wrong = wrongNumberIn(scene); !wrong.empty())
+    hdf5::fail(path_, "a scene in which " + wrong + " could not be read again", "Mend the scene");
   newestVersion_ = scene.version;
   const std::vector<std::byte> bytes = encoder_.encode(scene);
   const auto textSize = static_cast<std::int64_t>(text.size()), byteSize = static_cast<std::int64_t>(bytes.size());

@@ -1,7 +1,5 @@
 #include "device/simulated/plant/SimulatedArm.h"
 
-#include "device/simulated/Encoder.h"
-
 namespace haptiv {
 namespace {
 
@@ -16,7 +14,6 @@ DeviceDescription withBodies(DeviceDescription description) {
 SimulatedArm::SimulatedArm(const DeviceDescription& description, const JointVector& start, std::uint64_t seed)
     : arm_(description),
       dynamics_(withBodies(description)),
-      countsPerRadian_(description.drives.countsPerRadian()),
       viscous_(description.drives.viscousFriction),
       coulomb_(description.drives.coulombFriction),
       brakeFriction_(description.drives.brakeFriction),
@@ -26,9 +23,12 @@ SimulatedArm::SimulatedArm(const DeviceDescription& description, const JointVect
       angles_(start) {
   const JointDrives& all = description.drives;
   const JointVector tunedFor = dynamics_.massMatrix(description.homeAngles).diagonal();
-  for (int i = 0; i < kJointCount; ++i)
+  const JointVector countsPerRadian = all.countsPerRadian();
+  for (int i = 0; i < kJointCount; ++i) {
+    encoders_.emplace_back(countsPerRadian[i], description.encoders.zero[i]);
     drives_.emplace_back(
         DriveSettings{all.rateLimit[i], all.torqueLimit[i], tunedFor[i], all.bandwidth[i], all.brakeDamping[i]});
+  }
 }
 
 TorqueLaw SimulatedArm::lawOf(int joint, const DriveDemand& demand, double weight) noexcept {
@@ -44,6 +44,8 @@ void SimulatedArm::advance(const DriveDemand& demand, const HandTarget& target, 
   const auto J_linear = tool.J_BT.topRows<3>();
   const auto J_angular = tool.J_BT.bottomRows<3>();
   onTool_B_ = hand_.pull(target, tool.X_BT, {J_linear * rates_, J_angular * rates_}, dt);
+  onTool_B_.force += tool.X_BT.rotation * target.load.force;
+  onTool_B_.torque += tool.X_BT.rotation * target.load.torque;
   sensor_.follow({tool.X_BT.rotation.transpose() * onTool_B_.force, tool.X_BT.rotation.transpose() * onTool_B_.torque},
                  dt);
 
@@ -67,8 +69,7 @@ void SimulatedArm::advance(const DriveDemand& demand, const HandTarget& target, 
 
 std::array<std::int32_t, kJointCount> SimulatedArm::encoderCounts() const noexcept {
   std::array<std::int32_t, kJointCount> counts;
-  for (int i = 0; i < kJointCount; ++i)
-    counts[static_cast<std::size_t>(i)] = Encoder(countsPerRadian_[i]).count(angles_[i]);
+  for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = encoders_[i].count(angles_[static_cast<int>(i)]);
   return counts;
 }
 

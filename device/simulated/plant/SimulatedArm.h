@@ -4,6 +4,7 @@
 
 #include "device/board/BoardSignals.h"
 #include "device/dynamics/ArmDynamics.h"
+#include "device/simulated/Encoder.h"
 #include "device/simulated/ForceTorqueSensor.h"
 #include "device/simulated/Hand.h"
 #include "device/simulated/HumanHand.h"
@@ -45,7 +46,7 @@ class SimulatedArm {
 
   ArmKinematics arm_;
   ArmDynamics dynamics_;
-  JointVector countsPerRadian_;
+  std::vector<Encoder> encoders_;  // never grows after construction
   JointVector viscous_, coulomb_, brakeFriction_;
   std::vector<JointDrive> drives_;  // never grows after construction
   HumanHand hand_;

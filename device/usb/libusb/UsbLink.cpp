@@ -12,7 +12,7 @@ namespace haptiv::usb {
 namespace {
 
 constexpr int kPriority = 81;                    // just above the servo, which waits for no one
-constexpr std::chrono::milliseconds kLook{500};  // between attempts to open a device that is there and will not
+constexpr std::chrono::milliseconds kLook{500};  // between attempts to open a device that is there
 
 }  // namespace
 
@@ -101,7 +101,7 @@ void UsbLink::step() {
   if (!stream_) {
     reconnect();
   } else if (stream_->lost() || hotPlug_->left) {
-    leave("it was unplugged, or has failed");
+    leave();
   } else {
     stream_->recover();
     stream_->send();
@@ -127,25 +127,27 @@ void UsbLink::drain() {
   stream_.reset();
 }
 
-void UsbLink::leave(const std::string& why) {
+void UsbLink::leave() {
   client_.lost();
   drain();
   const std::string name = handle_->name();
   handle_.reset();
   hotPlug_->mine = nullptr;
-  tell(name + ": " + why);
+  tell(name + " is not there any more: plug it in again");
+  tryAgain_ = std::chrono::steady_clock::now() + kLook;  // it may only have failed
 }
 
 void UsbLink::reconnect() {
-  if (!std::exchange(hotPlug_->arrived, false) && !tryAgain_) return;
-  tryAgain_ = false;
+  if (!std::exchange(hotPlug_->arrived, false) && std::chrono::steady_clock::now() < tryAgain_) return;
+  tryAgain_ = kNever;
   try {
     connect();
     listen();
   } catch (const UsbFailure& failure) {
     handle_.reset();
     hotPlug_->mine = nullptr;
-    tryAgain_ = failure.trouble() != UsbTrouble::notFound && failure.trouble() != UsbTrouble::wrongDevice;
+    const bool mayYetBe = failure.trouble() != UsbTrouble::notFound && failure.trouble() != UsbTrouble::wrongDevice;
+    if (mayYetBe) tryAgain_ = std::chrono::steady_clock::now() + kLook;
     tell(failure.what());
   }
 }

@@ -47,6 +47,7 @@ class UsbLink {
   std::string serial() const;
 
  private:
+  static constexpr auto kNever = std::chrono::steady_clock::time_point::max();
   struct HotPlug;
   using Work = std::packaged_task<void(UsbHandle*)>;  // null: no device is there
 
@@ -56,7 +57,7 @@ class UsbLink {
   std::chrono::milliseconds patience() const;
   void listen();
   void drain();
-  void leave(const std::string& why);
+  void leave();
   void reconnect();
   void doWork();
   void tell(const std::string& trouble);
@@ -70,7 +71,7 @@ class UsbLink {
   std::unique_ptr<UsbHandle> handle_;
   StreamEndpoints endpoints_;
   std::unique_ptr<UsbStream> stream_;
-  bool tryAgain_ = false;  // a device may be there
+  std::chrono::steady_clock::time_point tryAgain_ = kNever;  // to open a device that is there
   std::thread thread_;
   std::atomic<bool> running_ = false;
 

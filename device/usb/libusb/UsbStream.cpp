@@ -22,19 +22,19 @@ void UsbStream::listen(UsbTransfer& transfer) noexcept {
 }
 
 /// Whether the transfer may go on its way again at once.
-bool UsbStream::take(const UsbTransfer& transfer) noexcept {
+bool UsbStream::take(const UsbTransfer& transfer, int& faults) noexcept {
   const TransferEnd end = transfer.end();
   if (end == TransferEnd::gone) lost_ = true;
-  if (end == TransferEnd::done) faults_ = 0;
+  if (end == TransferEnd::done) faults = 0;
   if (end == TransferEnd::stalled || end == TransferEnd::tooLong || end == TransferEnd::error) {
     client_.faulted(end);
-    if (++faults_ >= kMostFaults) lost_ = true;
+    if (++faults >= kMostFaults) lost_ = true;
   }
   return !lost_ && !closing_ && end != TransferEnd::stalled;
 }
 
 void UsbStream::back(UsbTransfer& transfer, bool in) noexcept {
-  const bool goesOn = take(transfer);
+  const bool goesOn = take(transfer, in ? inFaults_ : outFaults_);
   if (transfer.end() == TransferEnd::stalled) (in ? inStalled_ : outStalled_) = true;
   if (!in) return;
   if (transfer.end() == TransferEnd::done && !closing_) client_.received(transfer.bytes());
@@ -59,8 +59,12 @@ void UsbStream::recover() noexcept {
     if (!handle_.clearHalt(endpoints_.out)) lost_ = true;
   }
   if (!inStalled_) return;
-  for (const Slot& slot : in_)
-    if (slot->inFlight()) return;  // they come back stalled too
+  bool anyLeft = false;  // a halted endpoint keeps the others back
+  for (const Slot& slot : in_) {
+    anyLeft = anyLeft || slot->inFlight();
+    slot->cancel();
+  }
+  if (anyLeft) return;
   inStalled_ = false;
   if (!handle_.clearHalt(endpoints_.in)) lost_ = true;
   if (!lost_) start();

@@ -11,8 +11,8 @@ namespace haptiv::usb {
 /// the host; two OUT transfers are there for use, and where both are, the packet is skipped: what is old is never
 /// queued.
 ///
-/// A stall is cleared, a damaged or too long packet is let go; after kMostFaults of them in a row the stream gives up.
-/// Thread: the one that handles libusb's events.
+/// A stall is cleared, a damaged or too long packet is let go; after kMostFaults in a row, of either direction, the
+/// stream gives up. Thread: the one that handles libusb's events.
 class UsbStream {
  public:
   static constexpr int kMostFaults = 100;
@@ -38,15 +38,15 @@ class UsbStream {
   using Slot = std::unique_ptr<UsbTransfer>;
 
   void back(UsbTransfer& transfer, bool in) noexcept;
-  bool take(const UsbTransfer& transfer) noexcept;
+  bool take(const UsbTransfer& transfer, int& faults) noexcept;
   void listen(UsbTransfer& transfer) noexcept;
 
   UsbHandle& handle_;
   StreamEndpoints endpoints_;
   UsbClient& client_;
   std::array<Slot, 4> in_;
-  std::array<Slot, 2> out_;  // empty where the device takes none
-  int faults_ = 0;           // in a row
+  std::array<Slot, 2> out_;           // empty where the device takes none
+  int inFaults_ = 0, outFaults_ = 0;  // in a row
   bool inStalled_ = false, outStalled_ = false;
   bool closing_ = false;
   bool lost_ = false;

@@ -128,6 +128,8 @@ TEST_F(Run, AnotherArmIsResolvedInFullOnly) {
       "#Inventor V2.1 ascii\nHapticDevice { description \"anthropomorphic7\" }\nHapticTool { home 0.4 0 0 }\n");
   const Ended full = runHaptiv({"run", seven, "--fast", "--seconds", "0.1", "--strategy", "dir", "--json"});
   EXPECT_EQ(full.code, 0) << full.err;
+  const Ended torque = runHaptiv({"run", seven, "--fast", "--seconds", "0.5", "--joints", "computed-torque", "--json"});
+  EXPECT_EQ(torque.code, 0) << torque.err;
   const Ended partitioned = runHaptiv({"run", seven, "--fast", "--seconds", "0.1", "--solution", "partitioned"});
   EXPECT_EQ(partitioned.code, 3);
   EXPECT_THAT(partitioned.err, HasSubstr("no partitioned solution"));

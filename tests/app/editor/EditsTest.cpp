@@ -75,6 +75,46 @@ TEST(EditProperty, ChangesAllThatShareWhenAskedTo) {
   EXPECT_THAT(stiffnesses(scene), ElementsAre(700, 700, 700));
 }
 
+TEST(DuplicateShape, PutsACopyAsideUnderALabelOfItsOwnInOneStep) {
+  EditedScene scene(kTwoWalls);
+  const std::string original = scene.document.text();
+  ASSERT_TRUE(scene.select("left"));
+  duplicateShape(scene.document);
+  letEventsRun();
+  const auto& walls = scene.document.compiled().scene->walls;
+  ASSERT_EQ(walls.size(), 3u);
+  EXPECT_EQ(walls[1].surface.stiffness, 1500);
+  EXPECT_EQ(walls[1].shape.axes, walls[0].shape.axes);
+  EXPECT_TRUE(walls[1].shape.centre.isApprox(Vector3(-0.08, -0.02, 0), 1e-5)) << walls[1].shape.centre.transpose();
+  EXPECT_THAT(scene.names(), testing::Contains("left 1"));
+  const std::vector<SceneItem> items = scene.items();
+  EXPECT_EQ(findItem(items, scene.document.selection())->name, "left 1");
+  EXPECT_EQ(scene.document.undoStack().count(), 1);
+  scene.document.undoStack().undo();
+  letEventsRun();
+  EXPECT_EQ(scene.document.text(), original);
+}
+
+TEST(DuplicateShape, TakesABareShapeAndWhatItSharesStaysShared) {
+  EditedScene scene(kSharedProperty);
+  ASSERT_TRUE(scene.select("maze (2)"));
+  duplicateShape(scene.document);
+  letEventsRun();
+  const auto& walls = scene.document.compiled().scene->walls;
+  ASSERT_EQ(walls.size(), 4u);
+  EXPECT_TRUE(walls[2].shape.centre.isApprox(Vector3(-0.08, -0.02, 0), 1e-5)) << walls[2].shape.centre.transpose();
+  EXPECT_TRUE(walls[3].shape.centre.isApprox(Vector3(-0.1, 0.2, 0), 1e-5)) << "what comes after it stays";
+  EXPECT_EQ(walls[2].surface.stiffness, 1200);
+}
+
+TEST(DuplicateShape, IsNotForBallAndDevice) {
+  EditedScene scene(kTwoWalls);
+  ASSERT_TRUE(scene.select("ball"));
+  EXPECT_FALSE(canDuplicate(scene.document));
+  duplicateShape(scene.document);
+  EXPECT_EQ(scene.document.undoStack().count(), 0);
+}
+
 TEST(RemoveShape, LeavesTheOtherUsesOfTheShape) {
   EditedScene scene(R"(#Inventor V2.1 ascii
 Separator {

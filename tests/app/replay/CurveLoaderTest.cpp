@@ -17,7 +17,9 @@ void load(CurveLoader& loader, const SessionLog& log) {
 
 TEST(CurveLoader, BringsEveryTickOfAShortLog) {
   TestLogs logs;
-  const SessionLog log = logs.make(testTicks(2'500));
+  auto ticks = testTicks(2'500);
+  ticks[2'000].passivityEnergy = -0.25;
+  const SessionLog log = logs.make(ticks);
   CurveLoader loader;
   load(loader, log);
   const Curves force = loader.force();
@@ -27,6 +29,7 @@ TEST(CurveLoader, BringsEveryTickOfAShortLog) {
   EXPECT_DOUBLE_EQ(force.samples[0][2'000], 4.0);  // the norm of the environment's
   EXPECT_DOUBLE_EQ(force.samples[1][2'000], 2.0);  // the norm of the hand's
   EXPECT_DOUBLE_EQ(position.samples[1][2'000], -2.0);
+  EXPECT_DOUBLE_EQ(loader.energy().samples[0][2'000], -0.25);
 }
 
 TEST(CurveLoader, ThinsALongLogButKeepsItsPeakAndShowsItFinerOnDemand) {

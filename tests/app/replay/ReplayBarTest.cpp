@@ -23,6 +23,7 @@ struct ShownBar {
   QComboBox* speed = bar.findChild<QComboBox*>("speedBox");
   SignalPlot* force = bar.findChild<SignalPlot*>("forcePlot");
   SignalPlot* position = bar.findChild<SignalPlot*>("positionPlot");
+  SignalPlot* energy = bar.findChild<SignalPlot*>("energyPlot");
 
   explicit ShownBar(const std::vector<TickRecord>& ticks = testTicks(20'001),
                     TestLogs::End end = TestLogs::End::orderly, std::uint64_t dropped = 0)
@@ -40,6 +41,7 @@ struct ShownBar {
     EXPECT_EQ(slider->value(), std::lround(time * 1000));
     EXPECT_NEAR(force->cursor(), time, 1e-9);
     EXPECT_NEAR(position->cursor(), time, 1e-9);
+    EXPECT_NEAR(energy->cursor(), time, 1e-9);
     EXPECT_EQ(label("timeLabel"), QString::number(time, 'f', 3) + " s / 20.000 s");
     EXPECT_EQ(label("tickLabel"), QString("tick %1").arg(std::lround(time * 1000)));
   }

@@ -13,6 +13,9 @@ using testing::readingOf;
 
 class HapticTickFault : public HapticTickTest {
  protected:
+  HapticTickFault() {
+    scene.resolution = ResolutionChoice{Strategy::nonopt, Solution::full};  // no self-motion, which this arm would miss
+  }
   void expectLatched(TickState& state, std::uint32_t fault) { expectLatched(state, fault, start); }
   void expectLatched(TickState& state, std::uint32_t fault, const JointVector& q) {
     const JointVector held = state.control.desiredAngles;
@@ -34,8 +37,9 @@ class HapticTickFault : public HapticTickTest {
   /// The joint is turned away over some ticks, no faster than it may.
   TickRecord turnAway(int joint, double angle, JointVector& q, TickState& state) const {
     TickRecord record;
-    for (int i = 0; i < 20; ++i) {
-      q[joint] += angle / 20;
+    constexpr int kTicks = 60;  // and the tool no faster than 0.5 m/s
+    for (int i = 0; i < kTicks; ++i) {
+      q[joint] += angle / kTicks;
       record = tick(scene, readingOf(description, q), state);
     }
     return record;

@@ -21,7 +21,9 @@ struct LineFaults {
   int corruptOut = 0;
   int loseOut = 0;
   int repeatOut = 0;
+  int leaveAtControl = 0;  ///< the device is gone at the control request of this number from now, 1 the next
   // While set.
+  bool holdOut = false;        ///< the device takes no packet: they stay on their way
   bool frozen = false;         ///< the device does nothing: no packet in or out, no time passes for it
   bool silentControl = false;  ///< control requests are never answered
 };

@@ -100,8 +100,11 @@ int VirtualPort::submit(UsbFile& file, usbdevfs_urb* urb) {
   urb->actual_length = 0;
   if (urb->type != USBDEVFS_URB_TYPE_CONTROL && file.claimed.empty()) return EINVAL;
   file.submit(urb);
-  if (urb->type == USBDEVFS_URB_TYPE_CONTROL && !faults.silentControl) answer(file, urb);
-  if (halted_.contains(urb->endpoint)) file.complete(urb, -EPIPE);
+  if (urb->type != USBDEVFS_URB_TYPE_CONTROL || faults.silentControl) return 0;
+  if (faults.leaveAtControl > 0 && --faults.leaveAtControl == 0)
+    unplug();
+  else
+    answer(file, urb);
   return 0;
 }
 
@@ -158,7 +161,7 @@ UsbFile* VirtualPort::waiting(std::uint8_t endpoint, usbdevfs_urb*& urb) const {
 void VirtualPort::tickOut(const UsbEndpoint& endpoint) {
   usbdevfs_urb* urb = nullptr;
   UsbFile* file = waiting(endpoint.address, urb);
-  if (file == nullptr) return;
+  if (file == nullptr || faults.holdOut || halted_.contains(endpoint.address)) return;
   if (befalls(faults.stallOut)) {
     halted_.insert(endpoint.address);
     return file->complete(urb, -EPIPE);
@@ -192,7 +195,7 @@ std::optional<Bytes> VirtualPort::nextPacket(std::uint8_t endpoint) {
 void VirtualPort::tickIn(const UsbEndpoint& endpoint) {
   usbdevfs_urb* urb = nullptr;
   UsbFile* file = waiting(endpoint.address, urb);
-  if (file == nullptr) return;
+  if (file == nullptr || halted_.contains(endpoint.address)) return;
   if (befalls(faults.stallIn)) {
     halted_.insert(endpoint.address);
     return file->complete(urb, -EPIPE);

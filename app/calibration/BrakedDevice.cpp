@@ -1,0 +1,46 @@
+#include "app/calibration/BrakedDevice.h"
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "device/simulated/Miscalibration.h"
+#include "device/simulated/SimulatedDevice.h"
+
+namespace haptiv {
+
+BrakedDevice BrakedDevice::simulated(const DeviceDescription& description, std::uint64_t seed) {
+  auto source = std::make_unique<LoadedHandle>();
+  LoadedHandle* handle = source.get();
+  return {std::make_unique<SimulatedDevice>(miscalibrated(description, seed), description.encoders.reference,
+                                            std::move(source), seed),
+          handle};
+}
+
+BrakedDevice::BrakedDevice(std::unique_ptr<HapticDevice> device) : BrakedDevice(std::move(device), nullptr) {}
+
+BrakedDevice::BrakedDevice(std::unique_ptr<HapticDevice> device, LoadedHandle* handle)
+    : device_(std::move(device)), handle_(handle) {
+  device_->start(kPeriod);
+}
+
+BrakedDevice::~BrakedDevice() {
+  if (device_) device_->stop();
+}
+
+DeviceReading BrakedDevice::tick() {
+  device_->write({});
+  return device_->read();
+}
+
+QuietMeasurement BrakedDevice::measure(std::int64_t ticks) {
+  QuietMeasurement measured(ticks);
+  auto next = std::chrono::steady_clock::now();
+  while (!measured.isDone()) {
+    measured.take(tick());
+    if (!isSimulated()) std::this_thread::sleep_until(next += std::chrono::milliseconds(1));
+  }
+  return measured;
+}
+
+}  // namespace haptiv

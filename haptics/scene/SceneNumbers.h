@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "haptics/scene/HapticScene.h"
+
+namespace haptiv {
+
+/// What of a scene's numbers cannot be felt, nor read back from a log: "the stiffness of the wall with id 3 is no finite
+/// number", "the tool's mass is not greater than zero". Empty where all can. The compiler makes no such scene.
+std::string wrongNumberIn(const HapticScene& scene);
+
+}  // namespace haptiv

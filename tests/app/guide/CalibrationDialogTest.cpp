@@ -1,0 +1,155 @@
+/// The dialog as a user walks through it, with a simulated arm that is not quite as described.
+#include "app/guide/CalibrationDialog.h"
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <stdexcept>
+
+#include "device/simulated/Miscalibration.h"
+#include "device/simulated/SimulatedDevice.h"
+#include "tests/app/window/Gestures.h"
+
+namespace haptiv {
+namespace {
+
+using testing::waitFor;
+
+constexpr std::uint64_t kSeed = 3;
+
+class Guided : public ::testing::Test {
+ protected:
+  void open(const DeviceOpener& opener = [](const DeviceDescription& d) { return BrakedDevice::simulated(d, kSeed); }) {
+    dialog_ = std::make_unique<CalibrationDialog>(known_, "vishard10", opener);
+    dialog_->setMeasuringTime(0.42);
+    dialog_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog_.get()));
+  }
+  template <typename T>
+  T& find(const char* name) {
+    T* found = dialog_->findChild<T*>(name);
+    if (found == nullptr) throw std::runtime_error(std::string("the dialog has no ") + name);
+    return *found;
+  }
+  QString text(const char* label) { return find<QLabel>(label).text(); }
+  void click(const char* button) {
+    auto& widget = find<QPushButton>(button);
+    ASSERT_TRUE(widget.isVisible() && widget.isEnabled()) << button;
+    QTest::mouseClick(&widget, Qt::LeftButton);
+  }
+  /// Measures, until the button can be pressed again or the last page is there.
+  void measure() {
+    click("guideMeasure");
+    EXPECT_FALSE(find<QPushButton>("guideMeasure").isEnabled());
+    ASSERT_TRUE(waitFor([&] { return find<QPushButton>("guideMeasure").isEnabled(); }, 60'000));
+  }
+  /// For people to look at: HAPTIV_PICTURES names a folder.
+  void picture(const char* name) {
+    if (qEnvironmentVariableIsSet("HAPTIV_PICTURES"))
+      dialog_->grab().save(qEnvironmentVariable("HAPTIV_PICTURES") + "/" + name + ".png");
+  }
+
+  DeviceDescription known_ = loadDeviceDescription("vishard10");
+  QTemporaryDir folder_;
+  std::unique_ptr<CalibrationDialog> dialog_;
+};
+
+TEST_F(Guided, FindsZerosBiasAndMatrixAndSavesThem) {
+  open();
+  QTest::qWait(100);
+  picture("pose");
+  EXPECT_NE(text("axis1"), "-") << "live readings";
+  measure();
+  EXPECT_TRUE(text("guideResult").contains("zeros are found")) << text("guideResult").toStdString();
+  EXPECT_TRUE(text("guideTitle").contains("bias"));
+  measure();
+  EXPECT_TRUE(text("guideResult").contains("bias is found")) << text("guideResult").toStdString();
+  picture("loads");
+  for (int load = 1; load <= 12; ++load) {
+    EXPECT_TRUE(text("guideTitle").contains(QString("load %1 of 12").arg(load))) << text("guideTitle").toStdString();
+    measure();
+  }
+  EXPECT_TRUE(text("guideResult").contains("matrix is found")) << text("guideResult").toStdString();
+  picture("save");
+  const QString path = folder_.filePath("mine.toml");
+  find<QLineEdit>("guidePath").setText(path);
+  click("guideSave");
+  picture("saved");
+  EXPECT_TRUE(text("guideResult").contains(path));
+
+  const DeviceDescription saved = loadDeviceDescription(path.toStdString()), built = miscalibrated(known_, kSeed);
+  EXPECT_LT((saved.sensor.bias - built.sensor.bias).head<3>().norm(), 0.05);
+  EXPECT_LT((saved.sensor.matrix - built.sensor.matrix).diagonal().cwiseAbs().maxCoeff(), 5e-3);
+  EXPECT_LT((saved.encoders.zero - built.encoders.zero).cwiseAbs().maxCoeff(), 50);
+}
+
+TEST_F(Guided, StepsCanBeLeftOutAndBegunAnew) {
+  open();
+  click("guideSkip");
+  click("guideSkip");
+  EXPECT_TRUE(text("guideTitle").contains("load 1 of 12"));
+  measure();
+  EXPECT_TRUE(text("guideTitle").contains("load 2 of 12"));
+  click("guideSkip");
+  EXPECT_TRUE(text("guideResult").contains("Nothing was measured")) << text("guideResult").toStdString();
+  EXPECT_FALSE(find<QPushButton>("guideSave").isEnabled());
+  picture("nothing");
+  click("guideRestart");
+  EXPECT_TRUE(text("guideTitle").contains("pose"));
+  EXPECT_TRUE(find<QCheckBox>("guideAnew").isVisible());
+}
+
+TEST_F(Guided, SaysWhyAStepIsRefusedAndStays) {
+  // Its arm stands where its home is; the reference pose of this description is elsewhere.
+  known_.encoders.reference[3] += 0.7;
+  open([](const DeviceDescription& d) {
+    DeviceDescription elsewhere = d;
+    elsewhere.encoders.reference = d.homeAngles;
+    return BrakedDevice::simulated(elsewhere, kSeed);
+  });
+  measure();
+  EXPECT_TRUE(text("guideResult").contains("oint 4 stands at")) << text("guideResult").toStdString();
+  EXPECT_TRUE(text("guideTitle").contains("pose"));
+  picture("refused");
+  find<QCheckBox>("guideAnew").setChecked(true);
+  measure();
+  EXPECT_TRUE(text("guideTitle").contains("bias"));
+}
+
+TEST_F(Guided, SaysWhatADeviceThatDoesNotOpenLacks) {
+  open([](const DeviceDescription&) -> BrakedDevice {
+    throw std::runtime_error("no interface board is there; plug one in and switch it on");
+  });
+  EXPECT_TRUE(text("guideResult").contains("plug one in"));
+  EXPECT_FALSE(find<QPushButton>("guideMeasure").isEnabled());
+  EXPECT_TRUE(find<QPushButton>("guideClose").isEnabled());
+  picture("no-device");
+  click("guideClose");
+  EXPECT_FALSE(dialog_->isVisible());
+}
+
+TEST_F(Guided, SaysWhatStandsInTheWayOfSaving) {
+  open();
+  measure();
+  click("guideSkip");
+  click("guideSkip");
+  find<QLineEdit>("guidePath").setText(folder_.filePath("no/such/folder.toml"));
+  click("guideSave");
+  EXPECT_TRUE(text("guideResult").contains("cannot be written")) << text("guideResult").toStdString();
+  picture("unwritten");
+}
+
+TEST_F(Guided, FitsOnASmallScreen) {
+  open();
+  EXPECT_LE(dialog_->minimumSizeHint().width(), 1240);
+  EXPECT_LE(dialog_->minimumSizeHint().height(), 680);
+}
+
+}  // namespace
+}  // namespace haptiv
