@@ -4,6 +4,8 @@
 #include <thread>
 #include <utility>
 
+#include "device/Homing.h"
+#include "device/calibration/QuietCheck.h"
 #include "device/simulated/Miscalibration.h"
 #include "device/simulated/SimulatedDevice.h"
 
@@ -31,6 +33,18 @@ BrakedDevice::~BrakedDevice() {
 DeviceReading BrakedDevice::tick() {
   device_->write({});
   return device_->read();
+}
+
+bool BrakedDevice::isLost() const {
+  const Homing* homing = device_->homing();
+  return homing != nullptr && !homing->homed();
+}
+
+void BrakedDevice::findAgain(const QuietMeasurement& measured, const DeviceDescription& description) {
+  if (!isLost()) return;
+  expectArmStands(measured.first(), description);
+  expectArmStands(measured.second(), description);
+  device_->homing()->home(description.countsAt(description.encoders.reference));
 }
 
 QuietMeasurement BrakedDevice::measure(std::int64_t ticks) {

@@ -30,6 +30,11 @@ class BrakedDevice {
   LoadedHandle* handle() noexcept { return handle_; }
   bool isSimulated() const noexcept { return handle_ != nullptr; }
   Homing* homing() noexcept { return device_->homing(); }
+  /// Whether the encoders have lost their zero: what they count means nothing.
+  bool isLost() const;
+  /// Tells encoders that have, that the arm stands in the description's reference pose.
+  /// @param measured  meanwhile; throws CalibrationRefused where the arm did not stand
+  void findAgain(const QuietMeasurement& measured, const DeviceDescription& description);
 
  private:
   BrakedDevice(std::unique_ptr<HapticDevice> device, LoadedHandle* handle);

@@ -205,6 +205,10 @@ void CalibrationDialog::finishMeasuring() {
   const QuietMeasurement measured = *p.measurement;
   p.measurement.reset();
   try {
+    if (p.device->isLost()) {  // encoders that count from anywhere are told first, then measured
+      p.device->findAgain(measured, p.guide.calibration().description());
+      return startMeasuring();
+    }
     tell(QString::fromStdString(p.guide.take(measured, p.anew->isChecked())), false);
   } catch (const std::exception& refused) {
     tell(QString::fromUtf8(refused.what()), true);
