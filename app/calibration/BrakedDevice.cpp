@@ -4,6 +4,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/session/UsbBoards.h"
 #include "device/Homing.h"
 #include "device/calibration/QuietCheck.h"
 #include "device/simulated/Miscalibration.h"
@@ -22,6 +23,13 @@ BrakedDevice BrakedDevice::simulated(const DeviceDescription& description, std::
   return {std::make_unique<SimulatedDevice>(miscalibrated(description, seed), description.encoders.reference,
                                             std::move(source), seed),
           handle};
+}
+
+BrakedDevice BrakedDevice::named(const std::string& device, const DeviceDescription& description, std::uint64_t seed) {
+  if (!isBoard(device)) return simulated(description, seed);
+  constexpr bool kUnhomed = true;  // it may be
+  return BrakedDevice(
+      std::make_unique<UsbDevice>(description, UsbDeviceChoice{boardSerialOf(device), std::nullopt, kUnhomed}));
 }
 
 BrakedDevice::BrakedDevice(std::unique_ptr<HapticDevice> device) : BrakedDevice(std::move(device), nullptr) {

@@ -173,6 +173,8 @@ void CalibrationDialog::openDevice(const DeviceOpener& open) {
     p.skip->setEnabled(false);
     return;
   }
+  setWindowTitle(windowTitle() + (p.device->isSimulated() ? tr(": a simulated arm, not quite as described")
+                                                          : tr(": the interface board")));
   p.timer.setTimerType(Qt::PreciseTimer);
   p.timer.start(kTick);
 }
