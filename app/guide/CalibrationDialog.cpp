@@ -1,6 +1,7 @@
 #include "app/guide/CalibrationDialog.h"
 
 #include <QCheckBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
