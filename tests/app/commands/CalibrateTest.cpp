@@ -1,6 +1,7 @@
 /// `haptiv device calibrate` and `haptiv device home`, with a simulated arm that is not quite as described.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/app/commands/HaptivProgram.h"
@@ -90,7 +91,7 @@ TEST(Home, RefusesAPoseThatCannotBeTheReferencePose) {
   const std::string out = folder / "mine.toml";
   // The simulated arm is built by its description; one whose zero is lost is another.
   const std::string lost =
-      folder.write("lost.toml", readFile(kBuiltIn) + "\n[encoders]\nreference = [0, 0, 0, 0, 0, 0, 0, 0, 0, 1e4]\n");
+      folder.write("lost.toml", readFile(kBuiltIn) + "\n[encoders]\nreference = [0, 0, 0, 0, 0, 0, 0, 0, 0, 1e5]\n");
   EXPECT_EQ(runHaptiv({"device", "home", lost, "--out", out}).code, 3) << "beyond the counters";
   EXPECT_EQ(runHaptiv({"device", "home", arm, "--out", out}).code, 0);
   EXPECT_EQ(runHaptiv({"device", "home", "--out", folder / "no/such/folder.toml"}).code, 3);
