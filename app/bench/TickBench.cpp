@@ -2,7 +2,7 @@
 
 #include "app/bench/ArmOnFloor.h"
 #include "app/bench/Benches.h"
-#include "app/bench/ReplayedDevice.h"
+#include "device/replayed/ReplayedDevice.h"
 #include "haptics/servo/FastLoop.h"
 #include "haptics/servo/ServeTick.h"
 #include "haptics/servo/ServoLoop.h"

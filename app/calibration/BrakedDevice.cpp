@@ -8,6 +8,11 @@
 #include "device/simulated/SimulatedDevice.h"
 
 namespace haptiv {
+namespace {
+
+constexpr int kFirstWord = 1000;  // [ms] that a device is given to say its first
+
+}  // namespace
 
 BrakedDevice BrakedDevice::simulated(const DeviceDescription& description, std::uint64_t seed) {
   auto source = std::make_unique<LoadedHandle>();
@@ -17,7 +22,10 @@ BrakedDevice BrakedDevice::simulated(const DeviceDescription& description, std::
           handle};
 }
 
-BrakedDevice::BrakedDevice(std::unique_ptr<HapticDevice> device) : BrakedDevice(std::move(device), nullptr) {}
+BrakedDevice::BrakedDevice(std::unique_ptr<HapticDevice> device) : BrakedDevice(std::move(device), nullptr) {
+  // Until it has spoken; what is measured of one that never does, is refused.
+  for (int i = 0; i < kFirstWord && !tick().connected; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
 
 BrakedDevice::BrakedDevice(std::unique_ptr<HapticDevice> device, LoadedHandle* handle)
     : device_(std::move(device)), handle_(handle) {

@@ -11,6 +11,7 @@
 #include "app/commands/Picture.h"
 #include "app/commands/RunPeople.h"
 #include "app/commands/SessionReport.h"
+#include "app/session/UsbBoards.h"
 #include "app/session/FlightRecorder.h"
 #include "app/session/HandFile.h"
 #include "app/session/SceneControl.h"
@@ -51,23 +52,20 @@ struct RunOptions {
   bool json = false;
 };
 
-// What the command line of a later version will offer is refused, never ignored.
 void refuseWhatIsNotThere(const RunOptions& options) {
-  if (options.device == "usb" || options.device.starts_with("usb:"))
+  if (options.device != "sim" && !isBoard(options.device) && !isFalcon(options.device))
     throw CommandFailure(
-        kCouldNot, "--device " + options.device + ": this version drives the simulated arm only; use --device sim");
-  if (options.device != "sim" && !isFalcon(options.device))
-    throw CommandFailure(kWrongUsage,
-                         "--device " + options.device + ": there is no such device; use --device sim or falcon");
+        kWrongUsage, "--device " + options.device + ": there is no such device; use sim, usb, usb:SERIAL or falcon");
 }
 
 // A person moves it, and time is that person's.
 void refuseWhatNoPersonCanDo(const RunOptions& options) {
-  if (options.fast && (isFalcon(options.device) || isSpaceMouse(options.hand)))
+  const bool real = isFalcon(options.device) || isBoard(options.device);
+  if (options.fast && (real || isSpaceMouse(options.hand)))
     throw CommandFailure(kWrongUsage, "--fast: a person cannot keep up with it; leave --fast out");
-  if (isFalcon(options.device) && options.hand != "rest")
+  if (real && options.hand != "rest")
     throw CommandFailure(kWrongUsage, "--hand " + options.hand +
-                                          ": is for the simulated arm, a Falcon is held by a real one; leave it out");
+                                          ": is for the simulated arm, others are held by a real one; leave it out");
 }
 
 // What is asked for; where nothing is, what the device description says.
@@ -96,6 +94,7 @@ SessionSetup setUp(const RunOptions& options, const LoadedScene& loaded) {
   setup.description = loaded.device;
   setup.rate = options.rate;
   setup.spin = std::chrono::nanoseconds(std::llround(1000 * options.spin));
+  if (isBoard(options.device)) setup.device = boardOf(options.device, loaded.device);
   if (isFalcon(options.device)) setup.device = falconOf(options.device, options.firmware, loaded.device);
   setup.liveHand = isSpaceMouse(options.hand);
   if (options.hand != "rest" && !isSpaceMouse(options.hand)) {
@@ -181,7 +180,8 @@ void addRunCommand(const Command& program) {
   const auto options = std::make_shared<RunOptions>();
   const Command run = program.add("run", "Run a session without a window", [options] { return runSession(*options); });
   run.path("SCENE", options->scene, "Scene to be felt (.iv)").required();
-  run.text("--device", options->device, "The arm: sim, or falcon (falcon:SERIAL), a Novint Falcon over USB")
+  run.text("--device", options->device,
+           "The arm: sim; usb (usb:SERIAL), an interface board; falcon (falcon:SERIAL), a Novint Falcon")
       .type("NAME")
       .showDefault();
   run.path("--firmware", options->firmware,

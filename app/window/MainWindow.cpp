@@ -86,8 +86,9 @@ void MainWindow::connectParts() {
   connect(p.timing, &TimingPanel::rateChosen, p.document, &SceneDocument::judgeAt);
 
   connect(p.control, &ControlMenu::chosen, p.session, &SessionControl::chooseControl);
+  connect(p.device, &DeviceMenu::chosen, p.session, &SessionControl::chooseDevice);
   connect(p.heldBy, &HandMenu::chosen, p.session, &SessionControl::chooseHand);
-  for (QMenu* menu : {static_cast<QMenu*>(p.control), static_cast<QMenu*>(p.heldBy)}) {
+  for (QMenu* menu : std::initializer_list<QMenu*>{p.control, p.device, p.heldBy}) {
     connect(p.session, &SessionControl::started, menu, [menu] { menu->setEnabled(false); });
     connect(p.session, &SessionControl::stopped, menu, [menu] { menu->setEnabled(true); });
   }

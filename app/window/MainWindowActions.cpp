@@ -76,6 +76,7 @@ void MainWindow::buildActions() {
   session->addActions({p.emergencyStop, p.reset});
   session->addSeparator();
   session->addActions({p.hand, p.select});
+  session->addMenu(p.device);
   session->addMenu(p.heldBy);
   menuBar()->addMenu(p.control);
   QMenu* look = menuBar()->addMenu(tr("&View"));

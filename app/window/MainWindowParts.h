@@ -17,6 +17,7 @@
 #include "app/window/ReplayStage.h"
 #include "app/window/SessionControl.h"
 #include "app/window/SessionStatus.h"
+#include "app/window/operator/DeviceMenu.h"
 #include "app/window/operator/HandMenu.h"
 #include "app/window/operator/OperatorKeys.h"
 
@@ -30,6 +31,7 @@ struct MainWindow::Parts {
         editor(new Editor(*document, *view, &window)),
         session(new SessionControl(*document, &window)),
         control(new ControlMenu(&window)),
+        device(new DeviceMenu(&window)),
         heldBy(new HandMenu(&window)),
         operatorKeys(new OperatorKeys(window)),
         plots(new LivePlots(&window)),
@@ -43,6 +45,7 @@ struct MainWindow::Parts {
   Editor* editor;
   SessionControl* session;
   ControlMenu* control;
+  DeviceMenu* device;
   HandMenu* heldBy;
   OperatorKeys* operatorKeys;
   LivePlots* plots;

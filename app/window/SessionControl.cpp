@@ -8,6 +8,7 @@
 #include "app/session/SceneControl.h"
 #include "app/session/SceneResolution.h"
 #include "app/session/SpaceMouseOperator.h"
+#include "app/session/UsbBoards.h"
 #include "app/window/LogFolder.h"
 
 namespace haptiv {
@@ -28,6 +29,7 @@ struct SessionControl::Parts {
   DeviceDescription description;
   std::optional<ResolutionChoice> resolution;
   std::optional<ControlChoice> control;
+  std::string device = "sim";
   HandInput handInput;
   std::unique_ptr<SpaceMouseOperator> spaceMouse;  // while it leads a session's hand
   double heading = 0;                              // [rad]
@@ -80,6 +82,7 @@ struct SessionControl::Parts {
     setup.description = description = loadDeviceDescription(setup.scene->device.description, setup.sceneName);
     setup.rate = rate;
     setup.liveHand = true;
+    if (isBoard(device)) setup.device = boardOf(device, setup.description);
     setup.log = logPath.toStdString();
     return setup;
   }
@@ -161,6 +164,10 @@ void SessionControl::chooseResolution(const ResolutionChoice& choice) {
   } catch (const std::exception& error) {
     emit failed(QString::fromUtf8(error.what()));
   }
+}
+
+void SessionControl::chooseDevice(const QString& device) {
+  parts_->device = device.toStdString();
 }
 
 void SessionControl::chooseHand(const HandInput& input) {

@@ -48,6 +48,8 @@ class SessionControl : public QObject {
   void chooseResolution(const haptiv::ResolutionChoice& choice);
   /// Drives the arm in this way from the next session on.
   void chooseControl(const haptiv::ControlChoice& choice);
+  /// The arm from the next session on: "sim", or "usb[:SERIAL]", an interface board.
+  void chooseDevice(const QString& device);
   /// What moves the hand from the next session on. A SpaceMouse is opened when a session starts; while it leads, the
   /// mouse does not.
   void chooseHand(const haptiv::HandInput& input);

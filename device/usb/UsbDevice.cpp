@@ -32,6 +32,7 @@ struct UsbDevice::Parts {
 
   void open(double period);
   void look() noexcept;
+  bool isRead() const noexcept;
   void noticeLosses() noexcept;
 
   UsbDeviceChoice choice;
@@ -61,7 +62,7 @@ void UsbDevice::Parts::open(double period) {
   if (client.phase() == BoardPhase::unhomed && !choice.unhomed)
     throw UsbFailure(UsbTrouble::wrongDevice,
                      "the interface board has not been homed since it was switched on: put the "
-                     "arm into its reference pose and home it (docs/usb.md)");
+                     "arm into its reference pose and home it: haptiv device home --device usb");
   guard = SilenceGuard(period);
   fresh = waits = false;
   lossesSeen = client.losses();
@@ -74,8 +75,13 @@ void UsbDevice::Parts::look() noexcept {
     reading = state.report.reading;
     fresh = true;
   }
-  reading.connected = client.phase() == usb::BoardPhase::ready && guard.answers() && state.sequence != 0;
+  reading.connected = isRead() && guard.answers() && state.sequence != 0;
   noticeLosses();
+}
+
+bool UsbDevice::Parts::isRead() const noexcept {
+  const usb::BoardPhase phase = client.phase();
+  return phase == usb::BoardPhase::ready || (choice.unhomed && phase == usb::BoardPhase::unhomed);
 }
 
 /// A board that has left and come back within a tick is a loss all the same.
@@ -137,7 +143,11 @@ void UsbDevice::press(std::uint16_t inputs) noexcept {
   parts_->pressed = inputs;
 }
 
-void UsbDevice::home(const usb::HomeCounts& counts) {
+bool UsbDevice::homed() const {
+  return parts_->client.phase() == usb::BoardPhase::ready;
+}
+
+void UsbDevice::home(const PoseCounts& counts) {
   if (!parts_->link) throw usb::UsbFailure(usb::UsbTrouble::gone, "start the device before it is homed");
   parts_->link->betweenStreams([this, &counts](usb::UsbHandle& board) {
     usb::setHome(board, counts);

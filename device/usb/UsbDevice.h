@@ -6,6 +6,7 @@
 
 #include "device/DeviceDescription.h"
 #include "device/HapticDevice.h"
+#include "device/Homing.h"
 #include "device/realtime/TimeHistogram.h"
 #include "device/usb/host/LinkCounters.h"
 #include "device/usb/protocol/ControlFrames.h"
@@ -17,12 +18,12 @@ struct UsbDeviceChoice {
   std::string serial;  ///< empty: the only one there is
   std::optional<usb::HomeCounts>
       home;              ///< the arm stands where its encoders should say this: homes a board that is not
-  bool unhomed = false;  ///< start without a zero; readings stay disconnected until `home`
+  bool unhomed = false;  ///< a board without a zero is read too; it is never driven
 };
 
 /// An arm behind an interface board, over USB: docs/usb.md. The servo's side of the link; what it does when a packet is
 /// missing, when the board is silent and when it is unplugged, is the fault policy told there.
-class UsbDevice : public HapticDevice {
+class UsbDevice : public HapticDevice, public Homing {
  public:
   explicit UsbDevice(const DeviceDescription& description, UsbDeviceChoice choice = {});
   ~UsbDevice() override;
@@ -37,9 +38,11 @@ class UsbDevice : public HapticDevice {
   /// What the operator presses at the host, as a level: a reset is passed on, an emergency stop asks for the board's
   /// trip. Thread: any.  Realtime-safe: yes.
   void press(std::uint16_t inputs) noexcept;
-  /// Gives the encoders a zero: these counts at the arm's present pose. The drives must be off. Throws usb::UsbFailure.
-  /// Thread: that of start.
-  void home(const usb::HomeCounts& counts);
+
+  Homing* homing() noexcept override { return this; }
+  bool homed() const override;
+  /// Throws usb::UsbFailure. After the board was unplugged as before.
+  void home(const PoseCounts& counts) override;
 
   // Thread: any but the servo's; before the first start all is empty.
   usb::LinkFigures figures() const;

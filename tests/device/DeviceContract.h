@@ -16,6 +16,7 @@ struct Candidate {
   std::string name;
   std::function<std::unique_ptr<HapticDevice>(const DeviceDescription&)> make;
   std::string description = "vishard10";
+  bool obeys = true;  ///< false: it moves as it did when it was recorded
 };
 
 inline std::string nameOf(const testing::TestParamInfo<Candidate>& instance) {
@@ -39,10 +40,11 @@ class DeviceContract : public testing::TestWithParam<Candidate> {
     return command;
   }
 
-  bool followsRates() const { return description_.type == DeviceType::admittance; }
+  bool obeys() const { return GetParam().obeys; }
+  bool followsRates() const { return obeys() && description_.type == DeviceType::admittance; }
   /// Turns a joint forwards, in the way that the device can.
   DeviceCommand moving(int joint) const {
-    if (followsRates()) return turning(joint, 1);
+    if (description_.type == DeviceType::admittance) return turning(joint, 1);
     DeviceCommand command;
     command.enabled = true;
     command.mode = DriveMode::torque;

@@ -34,5 +34,6 @@ FaultGroup tripFaults();
 FaultGroup sceneFaults();
 FaultGroup clampCases();
 FaultGroup stabilityFaults();
+FaultGroup calmCases();
 
 }  // namespace haptiv::faults

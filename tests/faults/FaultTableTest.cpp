@@ -22,9 +22,9 @@ Section ran(const FaultGroup& group) {
 }
 
 const std::vector<Section>& sections() {
-  static const std::vector<Section> all = {ran(operatorFaults()),   ran(sensorFaults()),   ran(encoderFaults()),
-                                           ran(connectionFaults()), ran(tripFaults()),     ran(sceneFaults()),
-                                           ran(clampCases()),       ran(stabilityFaults())};
+  static const std::vector<Section> all = {ran(operatorFaults()),   ran(sensorFaults()),    ran(encoderFaults()),
+                                           ran(connectionFaults()), ran(tripFaults()),      ran(sceneFaults()),
+                                           ran(clampCases()),       ran(stabilityFaults()), ran(calmCases())};
   return all;
 }
 

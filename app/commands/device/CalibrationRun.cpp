@@ -4,16 +4,18 @@
 #include <iostream>
 
 #include "app/commands/Picture.h"
+#include "app/session/UsbBoards.h"
 #include "app/commands/WholeFile.h"
 
 namespace haptiv {
 
 BrakedDevice calibrationDevice(const CalibrationOptions& options, const DeviceDescription& description) {
   if (options.device == "sim") return BrakedDevice::simulated(description, static_cast<std::uint64_t>(options.seed));
-  if (options.device == "usb" || options.device.starts_with("usb:"))
-    throw CommandFailure(
-        kCouldNot, "--device " + options.device + ": this version drives the simulated arm only; use --device sim");
-  throw CommandFailure(kWrongUsage, "--device " + options.device + ": there is no such device; use --device sim");
+  if (isBoard(options.device))
+    return BrakedDevice(
+        std::make_unique<UsbDevice>(description, UsbDeviceChoice{boardSerialOf(options.device), std::nullopt, true}));
+  throw CommandFailure(kWrongUsage,
+                       "--device " + options.device + ": there is no such device; use sim, usb or usb:SERIAL");
 }
 
 void askOperator(const BrakedDevice& device, const std::string& what) {
@@ -29,7 +31,9 @@ QuietMeasurement measure(BrakedDevice& device, const CalibrationOptions& options
 
 void addCalibrationOptions(const Command& command, CalibrationOptions& options) {
   command.path("DESCRIPTION", options.description, "Of the device: a built-in name, or a file (.toml)").showDefault();
-  command.text("--device", options.device, "The device: sim, an arm that is not quite as described")
+  command
+      .text("--device", options.device,
+            "The device: sim, an arm that is not quite as described; usb (usb:SERIAL), an interface board")
       .type("NAME")
       .showDefault();
   command.path("--out", options.out, "Write the description here, with what was found; comments and all else stay")

@@ -4,6 +4,7 @@
 #include "app/commands/device/DeviceCheckCommand.h"
 #include "app/commands/device/DeviceHomeCommand.h"
 #include "app/commands/device/DeviceListCommand.h"
+#include "app/commands/device/DeviceMonitorCommand.h"
 
 namespace haptiv {
 
@@ -12,6 +13,7 @@ void addDeviceCommand(const Command& program) {
       program.addGroup("device", "What devices there are, what an arm can do; calibration and homing");
   addDeviceListCommand(device);
   addDeviceCheckCommand(device);
+  addDeviceMonitorCommand(device);
   addDeviceCalibrateCommand(device);
   addDeviceHomeCommand(device);
 }

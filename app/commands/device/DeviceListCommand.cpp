@@ -8,6 +8,7 @@
 #include "app/commands/Report.h"
 #include "device/DeviceDescription.h"
 #include "device/descriptions/BuiltInDescriptions.h"
+#include "device/usb/host/BoardList.h"
 
 namespace haptiv {
 namespace {
@@ -16,11 +17,35 @@ struct DeviceListOptions {
   bool json = false;
 };
 
-constexpr const char* kUsb = "none: this version drives no USB device";
+/// One line a board; what to give --device first.
+void printBoards(const std::vector<usb::ListedBoard>& boards) {
+  if (boards.empty()) std::cout << "  usb                 no interface board is plugged in\n";
+  for (const usb::ListedBoard& board : boards) {
+    std::cout << "  usb:" << board.serial << std::string(16 - std::min<std::size_t>(15, board.serial.size()), ' ')
+              << board.product << ", bus " << board.bus << ", device " << board.address
+              << (board.highSpeed ? ", high speed" : ", full speed") << "\n";
+    if (!board.trouble.empty()) std::cout << "                      " << board.trouble << "\n";
+  }
+}
 
-void printTable() {
-  std::cout << "devices\n  sim                 the simulated arm, of any description\n  usb                 " << kUsb
-            << "\ndescriptions built in\n";
+Report::List listOf(const std::vector<usb::ListedBoard>& boards) {
+  Report::List list;
+  for (const usb::ListedBoard& board : boards) {
+    Report& entry = list.emplace_back();
+    entry.add("serial", board.serial);
+    entry.add("product", board.product);
+    entry.add("bus", static_cast<std::uint64_t>(board.bus));
+    entry.add("address", static_cast<std::uint64_t>(board.address));
+    entry.add("high_speed", board.highSpeed);
+    entry.add("trouble", board.trouble);
+  }
+  return list;
+}
+
+void printTable(const std::vector<usb::ListedBoard>& boards) {
+  std::cout << "devices\n  sim                 the simulated arm, of any description\n";
+  printBoards(boards);
+  std::cout << "descriptions built in\n";
   for (const BuiltInDescription& builtIn : builtInDescriptions()) {
     const std::string name(builtIn.name);
     std::cout << "  " << name << std::string(20 - std::min<std::size_t>(19, name.size()), ' ')
@@ -30,8 +55,9 @@ void printTable() {
 }
 
 int listDevices(const DeviceListOptions& options) {
+  const std::vector<usb::ListedBoard> boards = usb::listBoards();
   if (!options.json) {
-    printTable();
+    printTable(boards);
     if (!std::cout) throw CommandFailure(kCouldNot, "standard output cannot be written");
     return kGood;
   }
@@ -43,7 +69,7 @@ int listDevices(const DeviceListOptions& options) {
   }
   Report report;
   report.add("devices", Report::Names{"sim"});
-  report.add("usb", kUsb);
+  report.add("usb", listOf(boards));
   report.add("descriptions", descriptions);
   report.print(true);
   return kGood;

@@ -43,7 +43,7 @@ void tell(UsbHandle& board, ControlRequest request, const Frame& frame, const ch
 }  // namespace
 
 UsbKind boardKind() {
-  return {"Haptiv interface board", {{0x1209, 0x0001}}, 0};
+  return {"Haptiv interface board", {{kVendorId, kProductId}}, kBoardInterface};
 }
 
 Identity askIdentity(UsbHandle& board) {

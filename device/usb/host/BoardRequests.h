@@ -2,12 +2,9 @@
 
 #include "device/usb/libusb/UsbHandle.h"
 #include "device/usb/protocol/ControlFrames.h"
-#include "device/usb/protocol/StreamFrames.h"
+#include "device/usb/protocol/Descriptors.h"
 
 namespace haptiv::usb {
-
-inline constexpr std::uint8_t kStateEndpoint = 0x81;
-inline constexpr std::uint8_t kCommandEndpoint = 0x01;
 
 /// How an interface board is known on the bus: docs/usb-protocol.md.
 UsbKind boardKind();

@@ -65,15 +65,21 @@ TEST(CommandLine, RefusesWrongUsageWithTwoAndNamesIt) {
   expectWrongUsage({"s.iv", "check", "s.iv"}, "s.iv");
 }
 
-TEST(CommandLine, RefusesWhatThisVersionCannotDoRatherThanIgnoringIt) {
-  for (const std::vector<std::string>& more : {std::vector<std::string>{"--device", "usb"}, {"--device", "usb:1234"}}) {
-    std::vector<std::string> arguments = {"run", "s.iv"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Ended ended = runHaptiv(arguments);
-    EXPECT_EQ(ended.code, 3) << more.front();
-    EXPECT_THAT(ended.err, HasSubstr(more.front()));
-    EXPECT_THAT(ended.err, HasSubstr("this version"));
+TEST(CommandLine, TellsThatNoBoardIsPluggedIn) {
+  const TestFolder folder;
+  const std::string scene = folder.write("wall.iv", wallScene());
+  for (const char* device : {"usb", "usb:no-such-board"}) {
+    const Ended ended = runHaptiv({"run", scene, "--device", device, "--seconds", "0.1"});
+    EXPECT_EQ(ended.code, 3) << device;
+    EXPECT_THAT(ended.err, HasSubstr("Haptiv interface board"));
   }
+  EXPECT_EQ(runHaptiv({"device", "monitor", "--device", "usb:no-such-board", "--seconds", "1"}).code, 3);
+}
+
+TEST(CommandLine, RefusesAHandAndAClockThatABoardHasItself) {
+  expectWrongUsage({"run", "s.iv", "--device", "usb", "--fast"}, "--fast");
+  expectWrongUsage({"run", "s.iv", "--device", "usb", "--hand", "h.csv"}, "--hand");
+  expectWrongUsage({"device", "monitor", "--device", "sim"}, "usb");
 }
 
 TEST(CommandLine, WithoutDisplayTheWindowSaysWhatToDoInstead) {

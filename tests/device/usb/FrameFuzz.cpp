@@ -1,4 +1,4 @@
-// Throws wrong frames at both ends of the wire until its time is over: HAPTIV_FUZZ_SECONDS, else 30 s.
+// Throws wrong frames at both ends of the wire until its time is over: HAPTIV_FUZZ_SECONDS, else a minute.
 //
 //     frame_fuzz [SEED]
 //
@@ -152,5 +152,5 @@ int main(int argc, char** argv) {
   const char* asked = std::getenv("HAPTIV_FUZZ_SECONDS");
   const std::uint64_t seed = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : std::random_device{}();
   std::cout << "seed " << seed << std::endl;
-  haptiv::usb::fuzz(seed, std::chrono::seconds(asked ? std::atoi(asked) : 30));
+  haptiv::usb::fuzz(seed, std::chrono::seconds(asked ? std::atoi(asked) : 60));
 }

@@ -13,7 +13,9 @@ namespace haptiv::test {
 /// the first write on.
 class BenchedUsbDevice : public HapticDevice {
  public:
-  BenchedUsbDevice(const DeviceDescription& description, UsbSpeed speed) : description_(description), speed_(speed) {}
+  /// @param hand  null: nobody at the handle, the dead-man's button held down by other means
+  BenchedUsbDevice(const DeviceDescription& description, UsbSpeed speed, std::unique_ptr<HandSource> hand = nullptr)
+      : description_(description), speed_(speed), hand_(std::move(hand)) {}
 
   void start(double period) override {
     plug();
@@ -22,12 +24,15 @@ class BenchedUsbDevice : public HapticDevice {
     device_->start(period);
     intervals_ = static_cast<int>(std::lround(period * 1e6 / static_cast<double>(port_->interval())));
     bus_.tick(intervals_);
+    period_ = period;
+    ticks_ = 0;
     running_ = true;
   }
   DeviceReading read() noexcept override { return device_ ? device_->read() : DeviceReading{}; }
   void write(const DeviceCommand& command) noexcept override {
     if (!running_) return;
-    board_->buttons = kInputDeadMan;
+    board_->hand = hand_ ? hand_->at(static_cast<double>(ticks_++) * period_) : HandTarget{};
+    board_->buttons = board_->hand.inputs;
     device_->write(command);
     bus_.tick(intervals_);
   }
@@ -39,6 +44,8 @@ class BenchedUsbDevice : public HapticDevice {
     running_ = false;
     board_->buttons = 0;
   }
+
+  Homing* homing() noexcept override { return device_ ? device_->homing() : nullptr; }
 
   VirtualBoard& board() { return *board_; }
   VirtualPort& port() { return *port_; }
@@ -57,7 +64,10 @@ class BenchedUsbDevice : public HapticDevice {
   std::shared_ptr<VirtualBoard> board_;
   VirtualPort* port_ = nullptr;
   std::unique_ptr<UsbDevice> device_;
-  int intervals_ = 8;
+  std::unique_ptr<HandSource> hand_;
+  double period_ = 0;       // of the servo [s]
+  std::int64_t ticks_ = 0;  // since the start
+  int intervals_ = 8;       // of the bus in a tick
   bool running_ = false;
 };
 
