@@ -109,8 +109,9 @@ TEST(SceneFile, RefusesWhatIsTooLongOrTooDeepForCoin) {
 TEST(SceneFile, RefusesFacesThatCrowdOnePoint) {
   std::string faces;
   for (int i = 0; i < 40'000; ++i) faces += "0 1 2 -1\n";
-  const SceneFile crowded =
-      read("Coordinate3 { point [ 0 0 0, 1 0 0, 1 1 0 ] }\nIndexedFaceSet { coordIndex [ " + faces + " ] }");
+  const SceneFile crowded = readSceneText(
+      kHeader + "Coordinate3 { point [ 0 0 0, 1 0 0, 1 1 0 ] }\nIndexedFaceSet { coordIndex [ " + faces + " ] }",
+      "test.iv");
   EXPECT_FALSE(crowded.root);
   EXPECT_THAT(textOf(crowded.diagnostics), HasSubstr("3: error: IndexedFaceSet: has 40000 corners on one point"));
 }

@@ -389,5 +389,18 @@ TEST_F(Window, ASpaceMouseThatIsNotThereStartsNothingAndTheMouseDoes) {
   EXPECT_FALSE(menu.isEnabled()) << "not while a session runs";
 }
 
+TEST_F(Window, OffersTheSimulatedArmAndSaysThatNoBoardIsPluggedIn) {
+  auto& menu = find<QMenu>("deviceMenu");
+  emit menu.aboutToShow();
+  EXPECT_TRUE(find<QAction>("simDeviceAction").isChecked());
+  const QList<QAction*> items = menu.actions();
+  EXPECT_TRUE(std::any_of(items.begin(), items.end(), [](QAction* item) {
+    return !item->isEnabled() && item->text().contains("None is plugged in");
+  }));
+  clickButton("startAction");
+  EXPECT_TRUE(waitFor([&] { return find<QAction>("stopAction").isEnabled(); }));
+  EXPECT_FALSE(menu.isEnabled()) << "not while a session runs";
+}
+
 }  // namespace
 }  // namespace haptiv
