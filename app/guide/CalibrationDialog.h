@@ -33,6 +33,7 @@ class CalibrationDialog : public QDialog {
   void build();
   void connectParts();
   void openDevice(const DeviceOpener& open);
+  void catchUp();
   void tick();
   void startMeasuring();
   void finishMeasuring();

@@ -4,8 +4,6 @@
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QProgressBar>
-#include <algorithm>
 #include <cmath>
 
 #include "device/calibration/QuietCheck.h"
@@ -13,8 +11,7 @@
 namespace haptiv {
 namespace {
 
-constexpr int kFullBar = 1000;
-constexpr double kBarOfRange = 0.1;  // of the sensor's range fills half a bar
+constexpr double kBarOfRange = 0.1;  // of the sensor's range fills a bar
 
 QLabel* numberLabel(const QString& name, QWidget* parent) {
   auto* label = new QLabel("-", parent);
@@ -22,6 +19,12 @@ QLabel* numberLabel(const QString& name, QWidget* parent) {
   label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   label->setMinimumWidth(label->fontMetrics().horizontalAdvance("-000.0000 N m"));  // numbers change, the layout not
   return label;
+}
+
+/// Without the sign of a nought.
+QString fixed(double value, int decimals) {
+  const double unit = std::pow(10, decimals);
+  return QString::number(std::round(value * unit) / unit + 0.0, 'f', decimals);
 }
 
 }  // namespace
@@ -32,10 +35,7 @@ LiveReadings::LiveReadings(QWidget* parent) : QWidget(parent) {
   for (int i = 0; i < 6; ++i) {
     const auto at = static_cast<std::size_t>(i);
     axes_[at] = numberLabel(QString("axis%1").arg(i + 1), sensor);
-    bars_[at] = new QProgressBar(sensor);
-    bars_[at]->setRange(-kFullBar, kFullBar);
-    bars_[at]->setTextVisible(false);
-    bars_[at]->setFixedHeight(12);
+    bars_[at] = new SignedBar(sensor);
     sensorRows->addWidget(new QLabel(nameOfAxis(i), sensor), i, 0);
     sensorRows->addWidget(bars_[at], i, 1);
     sensorRows->addWidget(axes_[at], i, 2);
@@ -67,15 +67,15 @@ void LiveReadings::show(const DeviceDescription& description, const DeviceReadin
   const Vector6 shares = values.cwiseQuotient(kBarOfRange * description.sensor.range());
   for (int i = 0; i < 6; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    axes_[at]->setText(QString::number(values[i], 'f', i < 3 ? 2 : 3) + (i < 3 ? tr(" N") : tr(" N m")));
-    bars_[at]->setValue(static_cast<int>(std::lround(kFullBar * std::clamp(shares[i], -1.0, 1.0))));
+    axes_[at]->setText(fixed(values[i], i < 3 ? 2 : 3) + (i < 3 ? tr(" N") : tr(" N m")));
+    bars_[at]->setShare(shares[i]);
   }
   const JointVector angles = description.jointAngles(reading);
   const JointVector off = angles - description.encoders.reference;
   for (int i = 0; i < description.jointCount(); ++i) {
     const auto at = static_cast<std::size_t>(i);
-    angles_[at]->setText(QString::number(angles[i], 'f', 4) + tr(" rad"));
-    offsets_[at]->setText(QString::number(off[i], 'f', 4) + tr(" rad"));
+    angles_[at]->setText(fixed(angles[i], 4) + tr(" rad"));
+    offsets_[at]->setText(fixed(off[i], 4) + tr(" rad"));
   }
 }
 

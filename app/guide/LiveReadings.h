@@ -3,10 +3,10 @@
 #include <QWidget>
 #include <array>
 
+#include "app/guide/SignedBar.h"
 #include "device/DeviceDescription.h"
 
 class QLabel;
-class QProgressBar;
 
 namespace haptiv {
 
@@ -20,7 +20,7 @@ class LiveReadings : public QWidget {
 
  private:
   std::array<QLabel*, 6> axes_{};
-  std::array<QProgressBar*, 6> bars_{};
+  std::array<SignedBar*, 6> bars_{};
   std::array<QLabel*, kJointCount> angles_{}, offsets_{};
 };
 

@@ -23,7 +23,8 @@ FoundZero findZero(const Samples& samples, const DeviceDescription& description,
     message.precision(3);
     message << "joint " << i + 1 << " stands at " << (counts - description.encoders.zero[i]) / perRadian[i]
             << " rad by the zero that the description has, and the reference pose is " << reference[i]
-            << " rad; set the arm into the reference pose, or find the zero anew (--anew)";
+            << " rad; set the arm into the reference pose. Where no zero was known or power was lost, take any counts "
+               "(--anew, or the box in the window)";
     throw CalibrationRefused(message.str());
   }
   return found;
