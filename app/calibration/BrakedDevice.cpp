@@ -4,6 +4,9 @@
 #include <thread>
 #include <utility>
 
+#include "app/session/UsbBoards.h"
+#include "device/Homing.h"
+#include "device/calibration/QuietCheck.h"
 #include "device/simulated/Miscalibration.h"
 #include "device/simulated/SimulatedDevice.h"
 
@@ -20,6 +23,13 @@ BrakedDevice BrakedDevice::simulated(const DeviceDescription& description, std::
   return {std::make_unique<SimulatedDevice>(miscalibrated(description, seed), description.encoders.reference,
                                             std::move(source), seed),
           handle};
+}
+
+BrakedDevice BrakedDevice::named(const std::string& device, const DeviceDescription& description, std::uint64_t seed) {
+  if (!isBoard(device)) return simulated(description, seed);
+  constexpr bool kUnhomed = true;  // it may be
+  return BrakedDevice(
+      std::make_unique<UsbDevice>(description, UsbDeviceChoice{boardSerialOf(device), std::nullopt, kUnhomed}));
 }
 
 BrakedDevice::BrakedDevice(std::unique_ptr<HapticDevice> device) : BrakedDevice(std::move(device), nullptr) {
@@ -39,6 +49,18 @@ BrakedDevice::~BrakedDevice() {
 DeviceReading BrakedDevice::tick() {
   device_->write({});
   return device_->read();
+}
+
+bool BrakedDevice::isLost() const {
+  const Homing* homing = device_->homing();
+  return homing != nullptr && !homing->homed();
+}
+
+void BrakedDevice::findAgain(const QuietMeasurement& measured, const DeviceDescription& description) {
+  if (!isLost()) return;
+  expectArmStands(measured.first(), description);
+  expectArmStands(measured.second(), description);
+  device_->homing()->home(description.countsAt(description.encoders.reference));
 }
 
 QuietMeasurement BrakedDevice::measure(std::int64_t ticks) {

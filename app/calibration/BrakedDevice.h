@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "app/calibration/QuietMeasurement.h"
 #include "device/HapticDevice.h"
@@ -16,6 +17,8 @@ class BrakedDevice {
 
   /// The arm of a description as it might have been put together (miscalibrated), standing in the reference pose.
   static BrakedDevice simulated(const DeviceDescription& description, std::uint64_t seed);
+  /// By a name as after `--device`: "sim", or an interface board, homed or not. Throws as UsbDevice::start does.
+  static BrakedDevice named(const std::string& device, const DeviceDescription& description, std::uint64_t seed);
   /// Any device, started here. Throws as HapticDevice::start does.
   explicit BrakedDevice(std::unique_ptr<HapticDevice> device);
   BrakedDevice(BrakedDevice&&) = default;
@@ -30,6 +33,11 @@ class BrakedDevice {
   LoadedHandle* handle() noexcept { return handle_; }
   bool isSimulated() const noexcept { return handle_ != nullptr; }
   Homing* homing() noexcept { return device_->homing(); }
+  /// Whether the encoders have lost their zero: what they count means nothing.
+  bool isLost() const;
+  /// Tells encoders that have, that the arm stands in the description's reference pose.
+  /// @param measured  meanwhile; throws CalibrationRefused where the arm did not stand
+  void findAgain(const QuietMeasurement& measured, const DeviceDescription& description);
 
  private:
   BrakedDevice(std::unique_ptr<HapticDevice> device, LoadedHandle* handle);

@@ -24,15 +24,14 @@ std::string inWords(const Vector6& wrench) {
   return "force " + list(wrench, 0, "%.2f") + " N, torque " + list(wrench, 3, "%.3f") + " N m";
 }
 
-/// "10 N along force z", of a load along one axis; all of it otherwise.
+}  // namespace
+
 std::string loadInWords(const Vector6& load) {
   Eigen::Index axis = 0;
   const double most = load.cwiseAbs().maxCoeff(&axis);
   if (load.cwiseAbs().sum() != most) return inWords(load);
   return text("%+.3g", load[axis]) + (axis < 3 ? " N of " : " N m of ") + nameOfAxis(static_cast<int>(axis));
 }
-
-}  // namespace
 
 const char* nameOf(GuideStep step) {
   constexpr std::array kNames = {"Reference pose", "Sensor bias", "Sensor matrix", "Save"};

@@ -51,5 +51,7 @@ class CalibrationGuide {
 };
 
 const char* nameOf(GuideStep step);
+/// "+10 N of force x", of a load along one axis; all six numbers of any other.
+std::string loadInWords(const Vector6& load);
 
 }  // namespace haptiv

@@ -33,7 +33,7 @@ struct BoardOptions {
   bool json = false;
 };
 
-std::unique_ptr<usb::VirtualBoard> boardOf(const BoardOptions& options) {
+std::unique_ptr<usb::VirtualBoard> virtualBoard(const BoardOptions& options) {
   usb::VirtualBoardSetup setup;
   setup.description = loadDeviceDescription(options.description);
   setup.form = options.fullSpeed ? usb::FrameForm::packed : usb::FrameForm::full;
@@ -87,7 +87,7 @@ void serve(const BoardOptions& options, usb::VirtualBoard& board, BoardServer& s
 }
 
 int serveBoard(const BoardOptions& options) {
-  const auto board = boardOf(options);
+  const auto board = virtualBoard(options);
   BoardServer server(*board, options.bind, static_cast<std::uint16_t>(options.port));
   const VhciHint hint = vhciHint(options.bind, server.port());
   Report report;

@@ -1,6 +1,7 @@
 #include "app/guide/CalibrationDialog.h"
 
 #include <QCheckBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -173,6 +174,8 @@ void CalibrationDialog::openDevice(const DeviceOpener& open) {
     p.skip->setEnabled(false);
     return;
   }
+  setWindowTitle(windowTitle() + (p.device->isSimulated() ? tr(": a simulated arm, not quite as described")
+                                                          : tr(": the interface board")));
   p.timer.setTimerType(Qt::PreciseTimer);
   p.timer.start(kTick);
 }
@@ -205,6 +208,10 @@ void CalibrationDialog::finishMeasuring() {
   const QuietMeasurement measured = *p.measurement;
   p.measurement.reset();
   try {
+    if (p.device->isLost()) {  // encoders that count from anywhere are told first, then measured
+      p.device->findAgain(measured, p.guide.calibration().description());
+      return startMeasuring();
+    }
     tell(QString::fromStdString(p.guide.take(measured, p.anew->isChecked())), false);
   } catch (const std::exception& refused) {
     tell(QString::fromUtf8(refused.what()), true);

@@ -141,7 +141,7 @@ void MainWindow::buildDocks() {
   p.dexterityDock = add("dexterityDock", tr("Dexterity"), p.dexterity, Qt::RightDockWidgetArea);
   tabifyDockWidget(p.propertiesDock, p.dexterityDock);
   p.propertiesDock->raise();
-  p.plotsDock = add("plotsDock", tr("Force and position"), p.plots, Qt::BottomDockWidgetArea);
+  p.plotsDock = add("plotsDock", tr("Force, position, energy"), p.plots, Qt::BottomDockWidgetArea);
   p.problemsDock = add("problemsDock", tr("Problems"), p.editor->diagnosticsList(), Qt::BottomDockWidgetArea);
   tabifyDockWidget(p.plotsDock, p.problemsDock);
   p.timingDock = add("timingDock", tr("Timing"), p.timing, Qt::BottomDockWidgetArea);

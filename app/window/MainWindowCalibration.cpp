@@ -29,8 +29,8 @@ void MainWindow::buildCalibration() {
 }
 
 void MainWindow::calibrate() {
-  const auto open = [](const DeviceDescription& description) {
-    return BrakedDevice::simulated(description, kFaultsOfTheSimulatedArm);
+  const auto open = [device = parts_->device->device().toStdString()](const DeviceDescription& description) {
+    return BrakedDevice::named(device, description, kFaultsOfTheSimulatedArm);
   };
   auto* dialog = new CalibrationDialog(parts_->description, sourceOf(parts_->shownDevice), open, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);

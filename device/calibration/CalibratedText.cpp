@@ -35,9 +35,9 @@ std::string rows(const Matrix6& matrix) {
   std::string all;
   for (int i = 0; i < 6; ++i) {
     const Vector6 row = matrix.row(i);
-    all += (i == 0 ? "" : ", ") + list(row, 6, kMatrixDigits);
+    all += "\n  " + list(row, 6, kMatrixDigits) + ",";
   }
-  return "[" + all + "]";
+  return "[" + all + "\n]";
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace haptiv {
 
-/// A key of a description and what is to be written for it, as TOML: "[1, 2, 3]", on one line.
+/// A key of a description and what is to be written for it, as TOML: "[1, 2, 3]".
 struct KeyValue {
   std::string_view section, key;
   std::string value;

@@ -132,10 +132,6 @@ void SimulatedDevice::stop() {
   parts_->running = false;
 }
 
-bool SimulatedDevice::homed() const {
-  return parts_->now.board.homed();
-}
-
 void SimulatedDevice::home(const PoseCounts& counts) {
   if (!parts_->now.board.home(counts))
     throw std::runtime_error("the drives are on; release the dead-man's button or end the session, then home");

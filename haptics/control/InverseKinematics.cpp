@@ -34,7 +34,7 @@ InverseKinematics::Motion InverseKinematics::operator()(const ResolutionChoice& 
   }
   const Vector6 corrected = possible + driftCorrection(target, arm.X_BT, driftGain_);
   JointVector rates = blend.rates(resolution_, choice, joints.angles, arm.J_BT, corrected, period_);
-  rates = withCalmSelfMotion(rates, joints.rates, arm.J_BT, period_);
+  rates = SelfMotionLimit::calmed(rates, joints.rates, arm.J_BT, period_);
   motion.share = slowDownFactor(rates, rateLimit_);
   motion.rates = motion.share * rates;
   motion.velocity = motion.share * possible.head<3>();

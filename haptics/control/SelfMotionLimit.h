@@ -9,13 +9,18 @@ namespace haptiv {
 /// per second from one tick to the next.
 ///
 /// What of the rates' change moves the tool passes whole; of the rest, which does not, no joint gets more than
-/// kMostSelfMotion. Realtime-safe: yes.
-/// @param wanted  rates of this tick [rad/s]
-/// @param before  those of the tick before
-/// @param J       where the arm is
-JointVector withCalmSelfMotion(const JointVector& wanted, const JointVector& before, const Jacobian& J,
-                               double period) noexcept;
+/// kSpeedUp where self-motion becomes faster, or kSlowDown where it becomes slower: it must come to rest sooner than
+/// it started, or it would overshoot what the criteria want, to and fro.
+struct SelfMotionLimit {
+  static constexpr double kSpeedUp = 50;    ///< [rad/s^2]
+  static constexpr double kSlowDown = 100;  ///< [rad/s^2]
 
-inline constexpr double kMostSelfMotion = 60;  ///< [rad/s^2]
+  /// @param wanted  rates of this tick [rad/s]
+  /// @param before  those of the tick before
+  /// @param J       where the arm is
+  /// Realtime-safe: yes.
+  static JointVector calmed(const JointVector& wanted, const JointVector& before, const Jacobian& J,
+                            double period) noexcept;
+};
 
 }  // namespace haptiv

@@ -4,16 +4,14 @@
 #include <iostream>
 
 #include "app/commands/Picture.h"
-#include "app/session/UsbBoards.h"
 #include "app/commands/WholeFile.h"
+#include "app/session/UsbBoards.h"
 
 namespace haptiv {
 
 BrakedDevice calibrationDevice(const CalibrationOptions& options, const DeviceDescription& description) {
-  if (options.device == "sim") return BrakedDevice::simulated(description, static_cast<std::uint64_t>(options.seed));
-  if (isBoard(options.device))
-    return BrakedDevice(
-        std::make_unique<UsbDevice>(description, UsbDeviceChoice{boardSerialOf(options.device), std::nullopt, true}));
+  if (options.device == "sim" || isBoard(options.device))
+    return BrakedDevice::named(options.device, description, static_cast<std::uint64_t>(options.seed));
   throw CommandFailure(kWrongUsage,
                        "--device " + options.device + ": there is no such device; use sim, usb or usb:SERIAL");
 }

@@ -1,9 +1,8 @@
 #include "app/commands/device/DeviceCalibrateCommand.h"
 
-#include <algorithm>
 #include <memory>
-#include <sstream>
 
+#include "app/calibration/CalibrationGuide.h"
 #include "app/calibration/LoadsFile.h"
 #include "app/commands/Picture.h"
 #include "app/commands/Report.h"
@@ -33,12 +32,6 @@ std::vector<KnownLoad> loadsOf(const CalibrateOptions& options) {
   return loads;
 }
 
-std::string words(const Vector6& load) {
-  std::ostringstream text;
-  text << "force (" << load.head<3>().transpose() << ") N, torque (" << load.tail<3>().transpose() << ") N m";
-  return text.str();
-}
-
 SensorBias findBias(const CalibrateOptions& options, BrakedDevice& device, Calibration& calibration) {
   askOperator(device, "Take the hand off the handle and leave it alone.");
   return judged([&] { return calibration.takeBias(measure(device, options)); });
@@ -47,7 +40,8 @@ SensorBias findBias(const CalibrateOptions& options, BrakedDevice& device, Calib
 void hang(const CalibrateOptions& options, BrakedDevice& device, const KnownLoad& known, const std::string& which,
           Calibration& calibration) {
   if (known.counts) return calibration.takeLoad(known.load, *known.counts);
-  askOperator(device, which + ": hang on " + words(known.load) + ", in the handle's axes, and let it hang still.");
+  askOperator(device,
+              which + ": hang on " + loadInWords(known.load) + ", in the handle's axes, and let it hang still.");
   if (LoadedHandle* handle = device.handle()) {
     handle->hang(known.load);
     device.measure(BrakedDevice::kSettle);

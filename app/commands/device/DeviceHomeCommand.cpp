@@ -26,7 +26,10 @@ FoundZero findZero(const HomeOptions& options, BrakedDevice& device, Calibration
   const DeviceDescription& description = calibration.description();
   askOperator(device, "Set the arm by hand into its reference pose, joint angles " +
                           words(description.encoders.reference, description.jointCount()) + " rad, and let go.");
-  return judged([&] { return calibration.takeZero(measure(device, options), options.anew); });
+  return judged([&] {
+    if (device.isLost()) device.findAgain(measure(device, options), description);
+    return calibration.takeZero(measure(device, options), options.anew);
+  });
 }
 
 Report::Numbers numbersOf(const JointVector& values, int joints) {

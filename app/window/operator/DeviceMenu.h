@@ -14,6 +14,9 @@ class DeviceMenu : public QMenu {
  public:
   explicit DeviceMenu(QWidget* parent = nullptr);
 
+  /// What is chosen, as after `--device`.
+  const QString& device() const { return chosen_; }
+
  signals:
   /// As after `--device`: "sim", or "usb:SERIAL".
   void chosen(const QString& device);

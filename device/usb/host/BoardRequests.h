@@ -3,6 +3,7 @@
 #include "device/usb/libusb/UsbHandle.h"
 #include "device/usb/protocol/ControlFrames.h"
 #include "device/usb/protocol/Descriptors.h"
+#include "device/usb/protocol/StreamFrames.h"
 
 namespace haptiv::usb {
 

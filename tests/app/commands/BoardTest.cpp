@@ -19,7 +19,9 @@ TEST(Board, SaysWhereItIsAndHowToPlugItIn) {
   EXPECT_GT(ended.json()["port"].get<int>(), 0);
   EXPECT_EQ(ended.json()["address"], "127.0.0.1");
   EXPECT_THAT(ended.err, HasSubstr("attach -r localhost -b 1-1"));
-  if (!ended.json()["kernel_ready"].get<bool>()) EXPECT_THAT(ended.err, HasSubstr("modprobe vhci-hcd"));
+  if (!ended.json()["kernel_ready"].get<bool>()) {
+    EXPECT_THAT(ended.err, HasSubstr("modprobe vhci-hcd"));
+  }
 }
 
 TEST(Board, EndsWhenItIsTold) {

@@ -19,10 +19,11 @@ using Json = nlohmann::json;
 TEST(Device, ListNamesOnlyWhatIsThere) {
   const Ended table = runHaptiv({"device", "list"});
   EXPECT_EQ(table.code, 0);
-  for (const char* there : {"sim", "vishard10", "anthropomorphic7", "10 joints", "7 joints", "no USB device"})
+  for (const char* there : {"sim", "vishard10", "anthropomorphic7", "10 joints", "7 joints", "no interface board"})
     EXPECT_THAT(table.out, HasSubstr(there));
   const Json list = runHaptiv({"device", "list", "--json"}).json();
   EXPECT_EQ(list["devices"], Json::array({"sim"}));
+  EXPECT_EQ(list["usb"], Json::array());
   EXPECT_THAT(list["descriptions"], Contains(Json({{"name", "anthropomorphic7"}, {"joints", 7}})));
 }
 

@@ -2,12 +2,14 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDialog>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QToolBar>
@@ -387,6 +389,28 @@ TEST_F(Window, ASpaceMouseThatIsNotThereStartsNothingAndTheMouseDoes) {
   clickButton("startAction");
   EXPECT_TRUE(waitFor([&] { return find<QAction>("stopAction").isEnabled(); }));
   EXPECT_FALSE(menu.isEnabled()) << "not while a session runs";
+}
+
+TEST_F(Window, OffersTheSimulatedArmAndSaysThatNoBoardIsPluggedIn) {
+  auto& menu = find<QMenu>("deviceMenu");
+  emit menu.aboutToShow();
+  EXPECT_TRUE(find<QAction>("simDeviceAction").isChecked());
+  const QList<QAction*> items = menu.actions();
+  EXPECT_TRUE(std::any_of(items.begin(), items.end(), [](QAction* item) {
+    return !item->isEnabled() && item->text().contains("None is plugged in");
+  }));
+  clickButton("startAction");
+  EXPECT_TRUE(waitFor([&] { return find<QAction>("stopAction").isEnabled(); }));
+  EXPECT_FALSE(menu.isEnabled()) << "not while a session runs";
+}
+
+TEST_F(Window, TheControlMenuLeadsToTheCalibration) {
+  find<QAction>("calibrateAction").trigger();
+  auto& dialog = find<QDialog>("calibrationDialog");
+  EXPECT_TRUE(waitFor([&] { return dialog.findChild<QLabel*>("axis1")->text() != "-"; })) << "live readings";
+  EXPECT_TRUE(dialog.windowTitle().contains("vishard10"));
+  QTest::mouseClick(dialog.findChild<QPushButton*>("guideClose"), Qt::LeftButton);
+  EXPECT_TRUE(waitFor([&] { return window_->findChild<QDialog*>("calibrationDialog") == nullptr; }));
 }
 
 }  // namespace

@@ -59,7 +59,6 @@ std::vector<std::tuple<ResolutionChoice, Vector3>> pulls() {
     for (const Vector3& direction : {Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3(1, 1, 1)})
       all.emplace_back(ResolutionChoice{strategy, Solution::full}, direction);
     all.emplace_back(ResolutionChoice{strategy, Solution::partitioned}, Vector3(0, 0, -1));
-    if (strategy == Strategy::cond) continue;  // docs/safety.md: its self-motion is too wild for the drives there
     all.emplace_back(ResolutionChoice{strategy, Solution::partitioned}, Vector3(-0.4, 1, 0));
   }
   return all;
