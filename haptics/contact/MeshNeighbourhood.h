@@ -18,12 +18,14 @@ namespace haptiv {
 /// need not be measured again. Realtime-safe: yes.
 class MeshNeighbourhood {
  public:
-  /// @param p_W      around which the proxy will be
-  /// @param likely   within this distance of p_W it will probably stay and feel [m]
-  /// @param certain  within this one it will in any case [m]
-  MeshNeighbourhood(const HapticScene& scene, const Vector3& p_W, double likely, double certain) noexcept
-      : scene_(scene), centre_(p_W), reach_(likely * (1 - 1e-9)) {
-    if (scene.meshIndex.tree.size() > 0 || scene.wallIndex.tree.size() != scene.walls.size()) find(likely, certain);
+  /// @param proxy  where the proxy is, p_WT [m]
+  /// @param step   that its goal has moved since the tick before [m]
+  /// @param goal   [m]
+  MeshNeighbourhood(const HapticScene& scene, const Vector3& proxy, const Vector3& step, const Vector3& goal,
+                    double radius) noexcept
+      : scene_(scene) {
+    if (scene.meshIndex.tree.size() == 0 && scene.wallIndex.tree.size() == scene.walls.size()) return;
+    findAround(proxy, step, (goal - proxy).norm(), radius);
   }
 
   /// Whether no mesh is as near as the proxy can feel.
@@ -53,6 +55,9 @@ class MeshNeighbourhood {
  private:
   static constexpr std::size_t kMost = 128;
 
+  void findAround(const Vector3& proxy, const Vector3& step, double farthest, double radius) noexcept;
+  /// @param likely   within this distance of centre_ the proxy will probably stay and feel [m]
+  /// @param certain  within this one it will in any case [m]
   void find(double likely, double certain) noexcept;
 
   Vector3 closest(std::uint32_t wall, std::uint32_t triangle, const Vector3& p_W) const noexcept {
@@ -97,8 +102,8 @@ class MeshNeighbourhood {
   }
 
   const HapticScene& scene_;
-  Vector3 centre_;
-  double reach_;
+  Vector3 centre_ = Vector3::Zero();
+  double reach_ = 0;
   bool isEmpty_ = true;
   bool isKept_ = true;  ///< all within reach_
   std::size_t count_ = 0;
