@@ -58,14 +58,13 @@ inline FloatBox outwards(const Vector3& low, const Vector3& high, const Vector3&
   return box;
 }
 
-/// The same for a cube of half edge `reach` about c, as seen from an origin whose numbers are as large as `farOff`: all
-/// of its sides lie a little farther out, for the largest number.
+/// The same for a cube of half edge `reach` about c, already seen from an origin whose numbers are as large as
+/// `farOff`. In fewer steps: all of its sides lie farther out by what the largest number may be off.
 inline FloatBox cubeAround(const Vector3& c, double reach, double farOff) noexcept {
   const double numbers = std::abs(c.x()) + std::abs(c.y()) + std::abs(c.z()) + std::abs(reach);
   const double half = reach + 2 * index_detail::kFloatSlack * numbers + 4 * index_detail::kDoubleSlack * farOff +
                       index_detail::kSmallest;
-  constexpr float kFar = FloatBox::kFar;
-  if (!(numbers + half < kFar)) return {{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}};
+  if (!(numbers + half < FloatBox::kFar)) return outwards(c.array() - reach, c.array() + reach, Vector3::Zero());
   FloatBox box;
   for (std::size_t i = 0; i < 3; ++i) {
     const double middle = c[static_cast<Eigen::Index>(i)];
