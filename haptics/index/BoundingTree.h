@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "haptics/index/BuildNodes.h"
+#include "haptics/index/Fetch.h"
 #include "haptics/index/SweptBall.h"
 
 namespace haptiv {
@@ -97,6 +98,7 @@ void BoundingTree::walk(Touching&& touching, Visit&& visit) const noexcept {
         visit(child & ~BoxNode::kItemFlag);
       } else {
         waiting[count++] = child;
+        fetch(nodes_[child]);
       }
     }
   }

@@ -33,11 +33,16 @@ class RememberedBoxes {
       nodes_ = tree.copyNear(known_, node_);
     }
     if (!nodes_ || !known_.holds(query)) return tree.forEachNear(query, visit);
+    std::array<std::uint32_t, kMost * BoxNode::kWidth> found;
+    std::size_t items = 0;
     for (std::size_t i = 0; i < *nodes_; ++i) {
-      for (unsigned bits = node_[i].touching(query); bits != 0; bits &= bits - 1) {
-        visit(node_[i].child[std::countr_zero(bits)] & ~BoxNode::kItemFlag);
+      const unsigned bits = node_[i].touching(query);
+      for (std::size_t k = 0; k < BoxNode::kWidth; ++k) {  // without a branch: what is touched cannot be foreseen
+        found[items] = node_[i].child[k];
+        items += bits >> k & 1;
       }
     }
+    for (std::size_t i = 0; i < items; ++i) visit(found[i] & ~BoxNode::kItemFlag);
   }
 
  private:

@@ -74,7 +74,7 @@ void followWalls(const ContactSet& before, const Vector3& goal, Proxy& proxy) no
 /// Walls are remembered a few radii farther than they are felt, ahead of the ball; not where it is so fast that it
 /// would soon have left them behind.
 RememberedBoxes::Ahead toRemember(const Vector3& step, double radius) noexcept {
-  constexpr double kMargin = 3, kHaste = 0.25;  // of the radius
+  constexpr double kMargin = 2, kHaste = 0.25;  // of the radius
   constexpr double kTicks = 64;
   if (!(step.squaredNorm() < kHaste * kHaste * radius * radius)) return {};
   return {kMargin * radius, kTicks * step};
