@@ -208,7 +208,7 @@ void VirtualPort::tickIn(const UsbEndpoint& endpoint) {
 void VirtualPort::bring(UsbFile& file, usbdevfs_urb* urb, const Bytes& packet) {
   const std::span<std::uint8_t> room = bufferOf(urb);
   const std::size_t length = std::min(room.size(), packet.size());
-  std::memcpy(room.data(), packet.data(), length);
+  std::copy_n(packet.begin(), length, room.begin());
   urb->actual_length = static_cast<int>(length);
   file.complete(urb, packet.size() > room.size() ? -EOVERFLOW : 0);
 }
