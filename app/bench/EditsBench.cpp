@@ -1,6 +1,7 @@
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoTranslation.h>
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 #include <thread>
@@ -23,6 +24,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint32_t kWalls = 1000;
 constexpr int kRounds = 10;
 constexpr int kEdits = 100;  // in a round
+/// At least: by then the flight recorder, which keeps two seconds, has forgotten the scenes of the edits.
+constexpr std::chrono::milliseconds kPause{2200};
 
 /// A floor of walls as a scene graph, whose walls are stiffened, moved, taken away and put back, in turn.
 class EditedFloor {
@@ -82,12 +85,12 @@ class MissedTicks {
     ticks += static_cast<double>(newest_.tick - before.tick);
     missed += static_cast<double>(newest_.missedTicks - before.missedTicks);
   }
-
- private:
+  /// What has been since the last look goes nowhere.
   void look() {
     while (!session_.newest(newest_)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
+ private:
   Session& session_;
   TickRecord newest_;
 };
@@ -102,7 +105,7 @@ void benchEdits(BenchRun& run) {
   MissedTicks watch(session);
   CallTimes times(kEdits);
   double editedTicks = 0, editedMissed = 0, idleTicks = 0, idleMissed = 0;
-  std::vector<std::optional<double>> held;  // after each pause
+  std::vector<std::optional<double>> held;  // after each pause; by the second one the heap has found its size
   for (int round = 0; round < kRounds; ++round) {
     const Clock::time_point begin = Clock::now();
     for (int i = 0; i < kEdits; ++i) {
@@ -111,9 +114,10 @@ void benchEdits(BenchRun& run) {
     }
     times.endPass();
     watch.look(editedTicks, editedMissed);
-    std::this_thread::sleep_for(Clock::now() - begin);
+    std::this_thread::sleep_for(std::max<Clock::duration>(Clock::now() - begin, kPause));
     watch.look(idleTicks, idleMissed);
-    held.push_back(memoryHeld());
+    held.push_back(memoryHeld());  // gives back what is free, which is the bench's own doing, not an edit's
+    watch.look();
   }
   const std::string trouble = session.logTrouble();
   session.stop();
@@ -123,7 +127,7 @@ void benchEdits(BenchRun& run) {
                   {"missed_ticks", editedMissed},
                   {"ticks_without_edits", idleTicks},
                   {"missed_ticks_without_edits", idleMissed}};
-  if (held.front() && held.back()) result.notes.emplace_back("memory_growth_MiB", *held.back() - *held.front());
+  if (held[1] && held.back()) result.notes.emplace_back("memory_growth_MiB", *held.back() - *held[1]);
   run.add(result);
 }
 

@@ -18,6 +18,8 @@ constexpr double kLongestPeriod = 0.1;              // [s]
 constexpr double kFullSpeedPeriod = 1e-3;           // [s] between two packets at full speed
 constexpr std::chrono::milliseconds kLastWord{20};  // that the board is given to brake
 
+constexpr std::chrono::milliseconds kFirstWord{100};  // that it is given to say where it stands
+
 void expectPossible(double period) {
   if (period > 0 && period <= kLongestPeriod) return;
   throw std::runtime_error("a device over USB cannot run with a period of " + std::to_string(period) +
@@ -51,6 +53,7 @@ struct UsbDevice::Parts {
 void UsbDevice::Parts::open(double period) {
   using namespace usb;
   auto opened = std::make_unique<UsbLink>(boardKind(), choice.serial, client);
+  const std::uint64_t statesBefore = client.figures().states;
   client.newest(state);  // of an earlier start
   state = {};
   client.homeNext(choice.home);
@@ -67,6 +70,10 @@ void UsbDevice::Parts::open(double period) {
   fresh = waits = false;
   lossesSeen = client.losses();
   link = std::move(opened);
+  // A servo that began before the first state would take its counts for a jump of the encoders.
+  const auto end = std::chrono::steady_clock::now() + kFirstWord;
+  while (client.figures().states == statesBefore && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 /// Takes what is new of the link.

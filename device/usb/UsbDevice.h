@@ -28,7 +28,8 @@ class UsbDevice : public HapticDevice, public Homing {
   explicit UsbDevice(const DeviceDescription& description, UsbDeviceChoice choice = {});
   ~UsbDevice() override;
 
-  /// Opens the board. Throws usb::UsbFailure: what is wrong, and what to do.
+  /// Opens the board, and waits 100 ms at most for its first state; readings are not connected before there is one.
+  /// Throws usb::UsbFailure: what is wrong, and what to do.
   void start(double period) override;
   DeviceReading read() noexcept override;
   void write(const DeviceCommand& command) noexcept override;

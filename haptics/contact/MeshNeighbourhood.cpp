@@ -1,23 +1,47 @@
 #include "haptics/contact/MeshNeighbourhood.h"
 
+#include "haptics/index/Fetch.h"
+
 namespace haptiv {
+
+/// The proxy goes with its goal, or less far: what is around the middle of that way is near all of it.
+void MeshNeighbourhood::findAround(const Vector3& proxy, const Vector3& step, double farthest, double radius) noexcept {
+  const double way = step.norm();
+  const double certain = 1.001 * (radius + farthest) + 0.5 * way;
+  const double likely = std::min((1 + 1.0 / 128) * radius + 0.55 * way, certain);
+  centre_ = proxy + 0.5 * step;
+  reach_ = likely * (1 - 1e-9);
+  find(likely, certain);
+}
 
 void MeshNeighbourhood::find(double likely, double certain) noexcept {
   searchWalls(
       scene_, [&](const BoundingTree& tree, auto&& found) { tree.forEachWithin(centre_, certain, found); },
       [&](std::uint32_t) { isEmpty_ = false; });
   if (isEmpty_) return;
-  search([&](const BoundingTree& tree, auto&& found) { tree.forEachWithin(centre_, likely, found); },
+  std::size_t found = 0;
+  search([&](const BoundingTree& tree, auto&& visit) { tree.forEachWithin(centre_, likely, visit); },
          [&](std::uint32_t wall, std::uint32_t triangle) {
+           isKept_ = found < kMost;
            if (!isKept_) return;
-           const Vector3 at = closest(wall, triangle, centre_);
-           if ((at - centre_).squaredNorm() > likely * likely) return;
-           isKept_ = count_ < kMost;
-           if (!isKept_) return;
-           wall_[count_] = wall;
-           triangle_[count_] = triangle;
-           bound(count_++, centre_, at);
+           wall_[found] = wall;
+           triangle_[found++] = triangle;
+           fetch(scene_.walls[wall].shape.mesh->triangles[triangle]);
          });
+  if (isKept_) keepNear(found, likely);
+}
+
+void MeshNeighbourhood::keepNear(std::size_t found, double reach) noexcept {
+  for (std::size_t i = 0; i < found; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) fetch(scene_.walls[wall_[i]].shape.mesh->corner(triangle_[i], k));
+  }
+  for (std::size_t i = 0; i < found; ++i) {
+    const Vector3 at = closest(wall_[i], triangle_[i], centre_);
+    if ((at - centre_).squaredNorm() > reach * reach) continue;
+    wall_[count_] = wall_[i];
+    triangle_[count_] = triangle_[i];
+    bound(count_++, centre_, at);
+  }
 }
 
 }  // namespace haptiv

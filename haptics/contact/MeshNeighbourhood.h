@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -18,20 +19,26 @@ namespace haptiv {
 /// need not be measured again. Realtime-safe: yes.
 class MeshNeighbourhood {
  public:
-  /// @param p_W      around which the proxy will be
-  /// @param likely   within this distance of p_W it will probably stay and feel [m]
-  /// @param certain  within this one it will in any case [m]
-  MeshNeighbourhood(const HapticScene& scene, const Vector3& p_W, double likely, double certain) noexcept
-      : scene_(scene), centre_(p_W), reach_(likely * (1 - 1e-9)) {
-    if (scene.meshIndex.tree.size() > 0 || scene.wallIndex.tree.size() != scene.walls.size()) find(likely, certain);
+  /// @param proxy  where the proxy is, p_WT [m]
+  /// @param step   that its goal has moved since the tick before [m]
+  /// @param goal   [m]
+  MeshNeighbourhood(const HapticScene& scene, const Vector3& proxy, const Vector3& step, const Vector3& goal,
+                    double radius) noexcept
+      : scene_(scene) {
+    if (scene.meshIndex.tree.size() == 0 && scene.wallIndex.tree.size() == scene.walls.size()) return;
+    findAround(proxy, step, (goal - proxy).norm(), radius);
   }
 
   /// Whether no mesh is as near as the proxy can feel.
   bool isEmpty() const noexcept { return isEmpty_; }
 
-  /// How far around p_W everything is known without asking the trees, beyond a ball's radius; 0 where it is not [m].
-  double knownAround(const Vector3& p_W, double radius) const noexcept {
-    return isKept_ ? std::max(0.0, reach_ - radius - (p_W - centre_).norm()) : 0;
+  /// How far along a straight way everything that a ball may touch is known without asking the trees; 0 where it is not
+  /// even at the start [m].
+  double knownAlong(const Vector3& from_W, const Vector3& direction, double radius) const noexcept {
+    const Vector3 d = from_W - centre_;
+    const double room = reach_ - radius, along = d.dot(direction);
+    if (!isKept_ || !(room > d.norm())) return 0;
+    return std::sqrt(along * along + room * room - d.squaredNorm()) - along;
   }
 
   /// Calls visit(wall, triangle, closest) for the triangles that are no farther from p_W than `reach`; `closest` is
@@ -51,9 +58,14 @@ class MeshNeighbourhood {
                     Visit&& visit) noexcept;
 
  private:
-  static constexpr std::size_t kMost = 128;
+  static constexpr std::size_t kMost = 192;
 
+  void findAround(const Vector3& proxy, const Vector3& step, double farthest, double radius) noexcept;
+  /// @param likely   within this distance of centre_ the proxy will probably stay and feel [m]
+  /// @param certain  within this one it will in any case [m]
   void find(double likely, double certain) noexcept;
+  /// Of the first `found` triangles, whose boxes are near centre_, keeps those that are no farther than `reach`.
+  void keepNear(std::size_t found, double reach) noexcept;
 
   Vector3 closest(std::uint32_t wall, std::uint32_t triangle, const Vector3& p_W) const noexcept {
     const TriangleMesh& mesh = *scene_.walls[wall].shape.mesh;
@@ -97,8 +109,8 @@ class MeshNeighbourhood {
   }
 
   const HapticScene& scene_;
-  Vector3 centre_;
-  double reach_;
+  Vector3 centre_ = Vector3::Zero();
+  double reach_ = 0;
   bool isEmpty_ = true;
   bool isKept_ = true;  ///< all within reach_
   std::size_t count_ = 0;
@@ -163,8 +175,8 @@ void MeshNeighbourhood::nearest(const Vector3& p_W, double reach, Visit&& visit)
 template <typename Visit>
 void MeshNeighbourhood::forEachAlong(const Vector3& from_W, const Vector3& direction, double radius, const double& free,
                                      Visit&& visit) noexcept {
-  if (!areKept(from_W, radius + free)) {
-    const Vector3 to_W = from_W + free * direction;
+  const Vector3 to_W = from_W + free * direction;
+  if (!areKept(from_W, radius) || !areKept(to_W, radius)) {  // a ball is convex: what is between is within, too
     search([&](const BoundingTree& tree, auto&& found) { tree.forEachAlong(from_W, to_W, radius, found); },
            [&](std::uint32_t wall, std::uint32_t triangle) {
              visit(0.0, [&](const Vector3& p) { return closest(wall, triangle, p); });

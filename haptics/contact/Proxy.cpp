@@ -24,8 +24,9 @@ double enoughAfter(int passes) noexcept {
 }
 
 /// How far to look ahead at once: along what is already known about the triangles, as most ways end there.
-double stride(const MeshNeighbourhood& meshes, const Vector3& from, double length, double radius) noexcept {
-  const double known = meshes.knownAround(from, radius);
+double stride(const MeshNeighbourhood& meshes, const Vector3& from, const Vector3& direction, double length,
+              double radius) noexcept {
+  const double known = meshes.knownAlong(from, direction, radius);
   return known > kStride * radius ? std::min(length, 0.999 * known) : length;
 }
 
@@ -63,8 +64,9 @@ void slide(const HapticScene& scene, MeshNeighbourhood& meshes, const Vector3& g
     const bool isHeld = holds(proxy.planes);
     const double allowed = isHeld || proxy.isWedged ? std::min(length, proxy.way) : length;
     if (!(allowed > (isHeld ? enoughAfter(pass) * radius : 0)) || pass > kMostPasses) break;
-    const double ahead = stride(meshes, proxy.position, allowed, radius);
-    const double gone = freeLength(meshes, proxy.position, step / length, ahead, radius);
+    const Vector3 direction = step / length;
+    const double ahead = stride(meshes, proxy.position, direction, allowed, radius);
+    const double gone = freeLength(meshes, proxy.position, direction, ahead, radius);
     proxy.position = gone == length ? target : Vector3(proxy.position + gone / length * step);
     if (isHeld || proxy.isWedged) proxy.way -= gone;
     if (!(gone > 0)) break;  // in a corner so sharp that its planes do not settle

@@ -28,12 +28,17 @@ void takeNear(NearSurfaces& near, const NearSurface& found) noexcept {
 
 }  // namespace
 
-void findWallsAround(const HapticScene& scene, const Vector3& place, double reach, NearSurfaces& near) noexcept {
+void findWallsAround(const HapticScene& scene, const Vector3& place, double reach, RememberedBoxes& boxes,
+                     const RememberedBoxes::Ahead& ahead, NearSurfaces& near) noexcept {
   near.count = 0;
+  const auto search = [&](const BoundingTree& tree, auto&& found) {
+    boxes.forEachNear(tree, place, reach, ahead, found);
+  };
   const auto isExact = [](const Shape& shape) { return shape.kind != Shape::Kind::mesh; };
-  forEachNear(scene.walls, scene.wallIndex, place, reach, isExact, [&](std::size_t wall, const SurfacePoint& surface) {
-    takeNear(near, {static_cast<std::int32_t>(wall), surface.face, surface.distance, surface.normal});
-  });
+  measureNear(scene.walls, scene.wallIndex, place, reach, search, isExact,
+              [&](std::size_t wall, const SurfacePoint& surface) {
+                takeNear(near, {static_cast<std::int32_t>(wall), surface.face, surface.distance, surface.normal});
+              });
 }
 
 }  // namespace haptiv

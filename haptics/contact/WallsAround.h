@@ -6,6 +6,8 @@ namespace haptiv {
 
 /// The exact walls nearer to a place than `reach` [m], by rising number; the nearest ones where they are too many.
 /// Realtime-safe: yes.
-void findWallsAround(const HapticScene& scene, const Vector3& place, double reach, NearSurfaces& near) noexcept;
+/// @param boxes  of the scene's tree, from the ticks before; they change nothing but the time that it takes
+void findWallsAround(const HapticScene& scene, const Vector3& place, double reach, RememberedBoxes& boxes,
+                     const RememberedBoxes::Ahead& ahead, NearSurfaces& near) noexcept;
 
 }  // namespace haptiv

@@ -3,10 +3,12 @@
 #include <bit>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "haptics/index/BuildNodes.h"
+#include "haptics/index/Fetch.h"
 #include "haptics/index/SweptBall.h"
 
 namespace haptiv {
@@ -38,7 +40,22 @@ class BoundingTree {
 
   /// Calls visit(item) for the boxes nearer to p_W than `reach` along every axis.
   template <typename Visit>
-  void forEachNear(const Vector3& p_W, double reach, Visit&& visit) const noexcept;
+  void forEachNear(const Vector3& p_W, double reach, Visit&& visit) const noexcept {
+    forEachNear(around(p_W, reach), visit);
+  }
+
+  /// What is nearer to p_W than `reach` along every axis, as the nodes' boxes are seen.
+  FloatBox around(const Vector3& p_W, double reach) const noexcept { return cubeAround(p_W - origin_, reach, farOff_); }
+
+  /// The same for all that `around` returned.
+  template <typename Visit>
+  void forEachNear(const FloatBox& query, Visit&& visit) const noexcept {
+    walk([&](const BoxNode& node) { return node.touching(query); }, visit);
+  }
+
+  /// Copies the boxes that touch what `around` returned, each with its item, into as many of these nodes as they need.
+  /// Returns their number, or nothing where they do not fit.
+  std::optional<std::size_t> copyNear(const FloatBox& query, std::span<BoxNode> nodes) const noexcept;
 
   /// Calls visit(item) for the boxes that are no farther from p_W than `reach`.
   template <typename Visit>
@@ -64,6 +81,7 @@ class BoundingTree {
 
   std::vector<BoxNode> nodes_;  ///< the root first; parents before children
   Vector3 origin_ = Vector3::Zero();
+  double farOff_ = 0;  ///< how large the numbers of the origin are [m]
   std::size_t size_ = 0;
 };
 
@@ -80,15 +98,10 @@ void BoundingTree::walk(Touching&& touching, Visit&& visit) const noexcept {
         visit(child & ~BoxNode::kItemFlag);
       } else {
         waiting[count++] = child;
+        fetch(nodes_[child]);
       }
     }
   }
-}
-
-template <typename Visit>
-void BoundingTree::forEachNear(const Vector3& p_W, double reach, Visit&& visit) const noexcept {
-  const FloatBox query = outwards(p_W.array() - reach, p_W.array() + reach, origin_);
-  walk([&](const BoxNode& node) { return node.touching(query); }, visit);
 }
 
 template <typename Visit>

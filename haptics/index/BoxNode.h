@@ -12,12 +12,23 @@ namespace haptiv {
 
 /// Four boxes side by side, as they are tested together: two lines of cache.
 struct alignas(64) BoxNode {
+  static constexpr std::size_t kWidth = 4;
   static constexpr std::uint32_t kNone = 0xffffffffU;      ///< an empty place; no query touches its box
   static constexpr std::uint32_t kItemFlag = 0x80000000U;  ///< the rest of the number names an item, not a node
 
-  float low[3][4];
-  float high[3][4];
-  std::uint32_t child[4];
+  float low[3][kWidth];
+  float high[3][kWidth];
+  std::uint32_t child[kWidth];
+
+  /// Without boxes.
+  static BoxNode empty() noexcept {
+    constexpr float kNever = std::numeric_limits<float>::max();
+    BoxNode node;
+    for (std::size_t i = 0; i < kWidth; ++i) {
+      node.set(i, {{kNever, kNever, kNever}, {-kNever, -kNever, -kNever}}, kNone);
+    }
+    return node;
+  }
 
   void set(std::size_t place, const FloatBox& box, std::uint32_t newChild) noexcept {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -25,6 +36,10 @@ struct alignas(64) BoxNode {
       high[axis][place] = box.high[axis];
     }
     child[place] = newChild;
+  }
+
+  FloatBox box(std::size_t place) const noexcept {
+    return {{low[0][place], low[1][place], low[2][place]}, {high[0][place], high[1][place], high[2][place]}};
   }
 
   /// One bit for each box that has a point in common with `query`.

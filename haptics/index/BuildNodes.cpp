@@ -13,16 +13,7 @@ namespace {
 
 /// From here on ranges are halved: 4^16 items fit into what is left of the depth.
 constexpr std::size_t kLastUnevenDepth = kMaxTreeDepth - 16;
-constexpr std::size_t kWidth = 4;
-
-BoxNode emptyNode() {
-  constexpr float kNever = std::numeric_limits<float>::max();
-  BoxNode node;
-  for (std::size_t i = 0; i < kWidth; ++i) {
-    node.set(i, {{kNever, kNever, kNever}, {-kNever, -kNever, -kNever}}, BoxNode::kNone);
-  }
-  return node;
-}
+constexpr std::size_t kWidth = BoxNode::kWidth;
 
 /// The groups that become the four places of a node.
 class Places {
@@ -67,7 +58,7 @@ class Places {
 
 void build(const ItemGroup& group, std::size_t depth, std::vector<BoxNode>& nodes) {
   const std::size_t self = nodes.size();
-  nodes.push_back(emptyNode());
+  nodes.push_back(BoxNode::empty());
   const Places places(group, depth >= kLastUnevenDepth);
   for (std::size_t i = 0; i < places.count(); ++i) {
     const std::span<SplitItem> items = places[i].items;

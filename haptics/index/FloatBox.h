@@ -15,6 +15,14 @@ struct FloatBox {
   static constexpr float kFar = 1e37F;  ///< sums and differences of two such numbers do not overflow
   std::array<float, 3> low;
   std::array<float, 3> high;
+
+  bool holds(const FloatBox& other) const noexcept {
+    bool does = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      does = does && low[axis] <= other.low[axis] && other.high[axis] <= high[axis];
+    }
+    return does;
+  }
 };
 
 namespace index_detail {
@@ -46,6 +54,22 @@ inline FloatBox outwards(const Vector3& low, const Vector3& high, const Vector3&
     const double slack = index_detail::kDoubleSlack * (std::abs(low[k]) + std::abs(high[k]) + std::abs(origin[k]));
     box.low[i] = index_detail::roundedDown(low[k] - origin[k] - slack);
     box.high[i] = index_detail::roundedUp(high[k] - origin[k] + slack);
+  }
+  return box;
+}
+
+/// The same for a cube of half edge `reach` about c, already seen from an origin whose numbers are as large as
+/// `farOff`. In fewer steps: all of its sides lie farther out by what the largest number may be off.
+inline FloatBox cubeAround(const Vector3& c, double reach, double farOff) noexcept {
+  const double numbers = std::abs(c.x()) + std::abs(c.y()) + std::abs(c.z()) + std::abs(reach);
+  const double half = reach + 2 * index_detail::kFloatSlack * numbers + 4 * index_detail::kDoubleSlack * farOff +
+                      index_detail::kSmallest;
+  if (!(numbers + half < FloatBox::kFar)) return outwards(c.array() - reach, c.array() + reach, Vector3::Zero());
+  FloatBox box;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double middle = c[static_cast<Eigen::Index>(i)];
+    box.low[i] = static_cast<float>(middle - half);
+    box.high[i] = static_cast<float>(middle + half);
   }
   return box;
 }

@@ -18,10 +18,14 @@ const Wall& wallOf(const HapticScene& scene, const Contact& contact) noexcept {
   return scene.walls[static_cast<std::size_t>(contact.wall)];
 }
 
+bool isExact(const HapticScene& scene, const Contact& contact) noexcept {
+  return wallOf(scene, contact).shape.kind != Shape::Kind::mesh;
+}
+
 /// The exact walls of the tick before; triangles are met anew.
 void addRemembered(const HapticScene& scene, const ContactSet& before, ProxyPlanes& planes) noexcept {
   for (const Contact& contact : before) {
-    if (wallOf(scene, contact).shape.kind != Shape::Kind::mesh) planes.add(contact.normal, contact.offset);
+    if (isExact(scene, contact)) planes.add(contact.normal, contact.offset);
   }
 }
 
@@ -67,14 +71,24 @@ void followWalls(const ContactSet& before, const Vector3& goal, Proxy& proxy) no
   proxy.goTowards(place);
 }
 
+/// Walls are remembered a few radii farther than they are felt, ahead of the ball; not where it is so fast that it
+/// would soon have left them behind.
+RememberedBoxes::Ahead toRemember(const Vector3& step, double radius) noexcept {
+  constexpr double kMargin = 2, kHaste = 0.25;  // of the radius
+  constexpr double kTicks = 64;
+  if (!(step.squaredNorm() < kHaste * kHaste * radius * radius)) return {};
+  return {kMargin * radius, kTicks * step};
+}
+
 /// The proxy goes on from where the walls of the tick before let it come to, now held by the walls that are around
 /// there: those that it can meet within its way. Where it is let go and falls farther, it looks farther.
 void meetWalls(const HapticScene& scene, MeshNeighbourhood& meshes, const Vector3& goal, double radius, double way,
-               bool wasHeld, NearSurfaces& walls, Proxy& proxy) noexcept {
+               bool wasHeld, ContactSet& contacts, NearSurfaces& walls, Proxy& proxy) noexcept {
   const Vector3 start = proxy.position;
+  const RememberedBoxes::Ahead toKeep = toRemember(goal - contacts.goal, radius);
   const double left = proxy.way;
   for (const double ahead : {std::clamp(way, kSlip * radius, radius), radius}) {
-    findWallsAround(scene, start, radius + ahead, walls);
+    findWallsAround(scene, start, radius + ahead, contacts.boxes, toKeep, walls);
     if (!wasHeld && walls.count == 0) return;
     proxy.position = start;
     proxy.way = left;
@@ -94,20 +108,17 @@ void touchWalls(const HapticScene& scene, const Vector3& goal, double radius, do
   proxy.position = contacts.surfacePosition;
   proxy.way = way;
   proxy.isWedged = contacts.wedged;
-  addRemembered(scene, contacts, proxy.planes);
-  const bool wasHeld = proxy.planes.count > 0;
-  // The proxy goes with the ball, or less far: what is around the middle of that way is near all of it.
-  const Vector3 step = goal - contacts.goal;
-  const double certain = 1.001 * (radius + (goal - proxy.position).norm()) + 0.5 * step.norm();
-  const double likely = (1 + 1.0 / 128) * radius + 0.55 * step.norm();
-  MeshNeighbourhood meshes(scene, proxy.position + 0.5 * step, std::min(likely, certain), certain);
+  MeshNeighbourhood meshes(scene, proxy.position, goal - contacts.goal, goal, radius);
   if (meshes.isEmpty()) {
     followWalls(contacts, goal, proxy);
   } else {
+    addRemembered(scene, contacts, proxy.planes);
     slide(scene, meshes, goal, radius, proxy);
   }
+  const bool wasHeld =
+      std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) { return isExact(scene, c); });
   NearSurfaces walls;
-  meetWalls(scene, meshes, goal, radius, way, wasHeld, walls, proxy);
+  meetWalls(scene, meshes, goal, radius, way, wasHeld, contacts, walls, proxy);
   keepHolding(scene, proxy, walls, goal, contacts);
   contacts.surfacePosition = proxy.position;
   contacts.goal = goal;
@@ -128,6 +139,7 @@ void settle(const HapticScene& scene, const ToolMotion& tool, ContactSet& contac
   if (!contacts.started) contacts.surfacePosition = contacts.goal = contacts.toolPosition = tool.position;
   contacts.started = true;
   contacts.wedged = false;
+  contacts.boxes.forget();
   followEdit(scene, tool.radius, contacts);
   for (int round = 0; round < kMostRounds; ++round) {
     if (!moveOn(scene, tool, std::numeric_limits<double>::max(), contacts)) break;

@@ -67,18 +67,7 @@ class Planes {
     const auto [i, j, k] = meeting.plane;
     if (meeting.count == 1) return Vector3(offsets_[i] * normals_[i]);
     if (meeting.count == 2) return nearestOnEdge(normals_[i], offsets_[i], normals_[j], offsets_[j]);
-    return corner(i, j, k);
-  }
-  std::optional<Vector3> corner(std::size_t i, std::size_t j, std::size_t k) const noexcept {
-    const Vector3 &a = normals_[i], &b = normals_[j], &c = normals_[k];
-    const Vector3 bc = b.cross(c), ca = c.cross(a), ab = a.cross(b);
-    const double volume = a.dot(bc);
-    const double longest = std::max({bc.squaredNorm(), ca.squaredNorm(), ab.squaredNorm()});
-    if (!(volume * volume > kParallelPlanes * longest)) return std::nullopt;
-    const Vector3 place = (offsets_[i] * bc + offsets_[j] * ca + offsets_[k] * ab) / volume;
-    // It is the sum of the normals, each times what its plane pushes.
-    const Vector3 push = Vector3(place.dot(bc), place.dot(ca), place.dot(ab)) / volume;
-    return (push.array() >= 0).all() ? std::optional(place) : std::nullopt;
+    return nearestInCorner(normals_[i], offsets_[i], normals_[j], offsets_[j], normals_[k], offsets_[k]);
   }
 
   std::span<const Vector3> normals_;

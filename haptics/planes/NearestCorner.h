@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -31,6 +32,20 @@ inline std::optional<Vector3> nearestOnEdge(const Vector3& a, double offsetA, co
   const double pushA = offsetA - cosine * offsetB, pushB = offsetB - cosine * offsetA;
   if (!(squaredSine > kParallelPlanes) || !(pushA >= 0) || !(pushB >= 0)) return std::nullopt;
   return (pushA * a + pushB * b) / squaredSine;
+}
+
+/// The same for three. Realtime-safe: yes.
+inline std::optional<Vector3> nearestInCorner(const Vector3& a, double offsetA, const Vector3& b, double offsetB,
+                                              const Vector3& c, double offsetC) noexcept {
+  const Vector3 bc = b.cross(c), ca = c.cross(a), ab = a.cross(b);
+  const double volume = a.dot(bc);
+  const double longest = std::max({bc.squaredNorm(), ca.squaredNorm(), ab.squaredNorm()});
+  if (!(volume * volume > kParallelPlanes * longest)) return std::nullopt;
+  const double inverse = 1 / volume;
+  const Vector3 place = (offsetA * bc + offsetB * ca + offsetC * ab) * inverse;
+  // It is the sum of the normals, each times what its plane pushes.
+  const Vector3 push = Vector3(place.dot(bc), place.dot(ca), place.dot(ab)) * inverse;
+  return (push.array() >= 0).all() ? std::optional(place) : std::nullopt;
 }
 
 }  // namespace haptiv

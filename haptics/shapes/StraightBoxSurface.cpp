@@ -17,8 +17,8 @@ std::optional<StraightBox> straightBox(const Shape& shape) noexcept {
     const Eigen::Index j = (i + 1) % 3, k = (i + 2) % 3;
     if (!(std::abs(unit.col(i).dot(unit.col(j))) <= kRightAngle)) return std::nullopt;
     const Vector3 across = unit.col(j).cross(unit.col(k)).normalized();
-    box.normal.col(i) = across.dot(unit.col(i)) < 0 ? Vector3(-across) : across;
-    box.half[i] = box.normal.col(i).dot(axes.col(i));
+    box.normals.row(i) = across.dot(unit.col(i)) < 0 ? Vector3(-across) : across;
+    box.half[i] = box.normals.row(i).dot(axes.col(i));
   }
   return box;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -17,24 +18,24 @@ std::optional<StraightBox> straightBox(const Shape& box) noexcept;
 /// A point as seen from a straight box: where it is along the normals, and how far beyond their faces.
 struct BesideBox {
   BesideBox(const StraightBox& box, const Vector3& p_W) noexcept
-      : along(box.normal.transpose() * (p_W - box.centre)), gap(along.cwiseAbs() - box.half) {}
+      : along(box.normals * (p_W - box.centre)), gap(along.cwiseAbs() - box.half) {}
   Vector3 along;  ///< [m]
   Vector3 gap;    ///< [m]; its largest entry is no larger than the distance
 };
 
 /// Nearest point of the surface, exact, inside and outside. Faces as nearestOnBox. Realtime-safe: yes.
 inline SurfacePoint nearestOnStraightBox(const StraightBox& box, const BesideBox& point) noexcept {
-  Eigen::Index most = 0;  // faced
-  for (Eigen::Index i = 1; i < 3; ++i) {
-    if (point.gap[i] > point.gap[most]) most = i;
-  }
-  const double side = point.along[most] < 0 ? -1 : 1;
-  SurfacePoint nearest{point.gap[most], side * box.normal.col(most), static_cast<int>(2 * most + (side < 0 ? 1 : 0))};
-  const int beside = (point.gap[0] > 0 ? 1 : 0) + (point.gap[1] > 0 ? 1 : 0) + (point.gap[2] > 0 ? 1 : 0);
-  if (beside < 2) return nearest;  // inside, or above that face
-  const Vector3 beyond = point.gap.cwiseMax(0).cwiseProduct(point.along.cwiseSign());
+  const Vector3 &along = point.along, &gap = point.gap;
+  Eigen::Index most = gap[1] > gap[0] ? 1 : 0;  // faced
+  most = gap[2] > gap[most] ? 2 : most;
+  const double side = std::copysign(1.0, along[most]);
+  SurfacePoint nearest{gap[most], side * box.normals.row(most), static_cast<int>(2 * most + (side < 0 ? 1 : 0))};
+  if ((gap[0] > 0) + (gap[1] > 0) + (gap[2] > 0) < 2) return nearest;  // inside, or above that face
+  const Vector3 beyond(std::copysign(std::max(gap[0], 0.0), along[0]), std::copysign(std::max(gap[1], 0.0), along[1]),
+                       std::copysign(std::max(gap[2], 0.0), along[2]));
   nearest.distance = beyond.norm();
-  if (nearest.distance > 1e-12 * box.half.maxCoeff()) nearest.normal = box.normal * (beyond / nearest.distance);
+  if (nearest.distance > 1e-12 * box.half.maxCoeff())
+    nearest.normal = box.normals.transpose() * (beyond / nearest.distance);
   return nearest;
 }
 

@@ -72,8 +72,8 @@ void measure(double rate, UsbSpeed speed, double seconds) {
   ServoSeams seams(rate);
   seams.scene.write(std::make_shared<const HapticScene>(wall.scene()));
   ServoLoop loop(device, description, {rate}, seams);
-  loop.start();
   BusClock clock(bus, *board, *hand, speed);
+  loop.start();
   const double before = processorTime(RUSAGE_SELF) - clock.processorTimeTaken();
   const std::int64_t start = monotonicNow();
   std::uint64_t ticks = 0;

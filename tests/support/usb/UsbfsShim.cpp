@@ -37,7 +37,7 @@ struct ThreadsEnd {
 }  // namespace
 
 PollWatch& pollWatch() {
-  static PollWatch watch;
+  static PollWatch& watch = *new PollWatch;  // never destroyed: umockdev's thread polls until the program has ended
   return watch;
 }
 
