@@ -116,8 +116,9 @@ std::string CalibrationGuide::takeLoad(const QuietMeasurement& measured) {
   try {
     const SensorMatrix found = calibration_.takeMatrix();
     next();
-    return "The matrix is found. Condition " + text("%.2f", found.condition) + "; it leaves " +
-           inWords(found.residual) + " unexplained.";
+    return "The matrix is found. Condition " + text("%.2f", found.condition) + "; it leaves up to " +
+           text("%.2g", found.residual.head<3>().maxCoeff()) + " N and " +
+           text("%.2g", found.residual.tail<3>().maxCoeff()) + " N m unexplained.";
   } catch (const CalibrationRefused&) {
     calibration_.forgetLoads();
     throw;

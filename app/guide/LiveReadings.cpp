@@ -41,6 +41,7 @@ LiveReadings::LiveReadings(QWidget* parent) : QWidget(parent) {
     sensorRows->addWidget(axes_[at], i, 2);
   }
   sensorRows->setRowStretch(6, 1);
+  sensorRows->setColumnStretch(1, 1);
   auto* joints = new QGroupBox(tr("Joints"), this);
   auto* jointRows = new QGridLayout(joints);
   jointRows->setVerticalSpacing(2);

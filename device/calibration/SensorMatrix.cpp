@@ -59,7 +59,7 @@ SensorMatrix findMatrix(std::span<const LoadCase> cases, const Vector6& bias, co
   const Rows loads = scaled(cases, &LoadCase::load, Vector6::Zero(), range);
   if (!said.allFinite() || !loads.allFinite())
     throw CalibrationRefused("a load or reading is no finite number; correct it");
-  const Eigen::JacobiSVD<Rows> svd(said, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(said, Eigen::ComputeThinU | Eigen::ComputeThinV);
   SensorMatrix found;
   found.condition = conditionOf(svd.singularValues());
   expectDistinct(found.condition, svd.matrixV().col(5));
