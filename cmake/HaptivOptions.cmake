@@ -29,11 +29,12 @@ function(haptiv_unity target)
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 
-# haptiv_library(NAME SOURCES ... LINK ...): one static library per folder.
+# haptiv_library(NAME [SEPARATE] SOURCES ... LINK ...): one static library per folder. SEPARATE: each source is compiled by
+# itself, as neighbours use one name for different things.
 function(haptiv_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "SEPARATE" "" "SOURCES;LINK" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
-  if(HAPTIV_UNITY)
+  if(HAPTIV_UNITY AND NOT ARG_SEPARATE)
     haptiv_unity(${name})
   endif()
   target_link_libraries(${name} PUBLIC haptiv_options ${ARG_LINK})
