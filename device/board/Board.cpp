@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "device/board/WrappingSum.h"
+
 namespace haptiv {
 
 namespace {
@@ -12,10 +14,6 @@ bool cut(JointVector& setPoints, const JointVector& limit) noexcept {
   const bool changed = within != setPoints;
   setPoints = within;
   return changed;
-}
-
-std::int32_t sumWrapping(std::int32_t a, std::int32_t b) noexcept {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
 }
 
 }  // namespace

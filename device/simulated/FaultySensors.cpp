@@ -1,14 +1,8 @@
 #include "device/simulated/FaultySensors.h"
 
+#include "device/board/WrappingSum.h"
+
 namespace haptiv {
-namespace {
-
-/// As two's complement counters do it.
-std::int32_t sumWrapping(std::int32_t a, std::int32_t b) noexcept {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
-}
-
-}  // namespace
 
 FaultySensors::FaultySensors(const HandleSensor& sensor) : saturated_(sensor.lastCounts()) {}
 

@@ -5,6 +5,7 @@
 #include "device/board/Board.h"
 #include "device/simulated/plant/SimulatedArm.h"
 #include "device/usb/BoardPort.h"
+#include "device/usb/protocol/Descriptors.h"
 #include "tests/support/usb/VirtualUsbDevice.h"
 
 namespace haptiv::test {
@@ -25,13 +26,17 @@ class VirtualBoard : public VirtualUsbDevice {
   usb::FrameForm form() const { return speed_ == UsbSpeed::high ? usb::FrameForm::full : usb::FrameForm::packed; }
 
   UsbDescriptors descriptors() const override {
-    const bool high = speed_ == UsbSpeed::high;
-    const auto inSize = static_cast<std::uint16_t>(high ? 128 : 64);
-    return {0x1209,   0x0001,
-            "Haptiv", "Haptiv interface board",
-            serial_,  speed_,
-            0xff,     0x48,
-            0x01,     {{0x81, 3, inSize, 1}, {0x01, 3, 64, 1}}};
+    return {usb::kVendorId,
+            usb::kProductId,
+            "Haptiv",
+            "Haptiv interface board",
+            serial_,
+            speed_,
+            usb::kBoardClass,
+            usb::kBoardSubclass,
+            usb::kBoardProtocol,
+            {{usb::kStateEndpoint, 3, usb::statePacket(form()), 1},
+             {usb::kCommandEndpoint, 3, usb::kCommandPacket, 1}}};
   }
   std::optional<Bytes> controlIn(const UsbSetup& setup) override {
     if (setup.type != 0xc1) return std::nullopt;
