@@ -13,6 +13,8 @@
 #include <Inventor/nodes/SoText3.h>
 #include <Inventor/nodes/SoVertexShape.h>
 
+#include <algorithm>
+
 #include "scenegraph/Keyword.h"
 #include "scenegraph/ToEigen.h"
 #include "scenegraph/compiling/PropertyChecks.h"
@@ -42,10 +44,19 @@ bool isMadeOfCorners(const SoNode* node) {
 
 }  // namespace
 
-SceneCollector::SceneCollector(PathIds& ids, MeshCache& meshes, Progress progress, std::size_t mostTriangles)
-    : ids_(ids), meshes_(meshes), progress_(std::move(progress)), mostTriangles_(mostTriangles) {}
+SceneCollector::SceneCollector(SceneMemory& memory, Progress progress, std::size_t mostTriangles)
+    : memory_(memory), progress_(std::move(progress)), mostTriangles_(mostTriangles) {}
 
 void SceneCollector::collect(SoNode* root) {
+  memory_.ids.begin();
+  memory_.separators.begin();
+  memory_.met.begin();
+  if (memory_.scene) {
+    scene.walls.reserve(memory_.scene->walls.size() + 16);
+    scene.zones.reserve(memory_.scene->zones.size() + 16);
+    origins.walls.reserve(memory_.scene->walls.size() + 16);
+    origins.properties.reserve(memory_.scene->walls.size() + 16);
+  }
   SoCallbackAction action;
   action.addPreCallback(SoHapticProperty::getClassTypeId(), &onProperty, this);
   action.addPreCallback(SoSeparator::getClassTypeId(), &onSeparator, this);
@@ -60,7 +71,7 @@ void SceneCollector::collect(SoNode* root) {
   }
   action.addPreCallback(SoDragger::getClassTypeId(), &onDragger, this);
   action.apply(root);
-  meshes_.forgetUnused();
+  memory_.meshes.forgetUnused();
   if (!origins.tool) {
     say(Severity::error, nullptr,
         "the scene has no tool: add HapticTool { home 0 0 0 } where the ball is to start, or make it solid: haptiv run "
@@ -91,16 +102,11 @@ Response SceneCollector::onDevice(void* self, SoCallbackAction* action, const So
 
 // Most of a large scene is read without Coin.
 Response SceneCollector::onSeparator(void* self, SoCallbackAction* action, const SoNode* node) {
+  if (node->getTypeId() != SoSeparator::getClassTypeId()) return SoCallbackAction::CONTINUE;
   auto& collector = *static_cast<SceneCollector*>(self);
-  const SoHapticProperty* property = SoHapticPropertyElement::get(action->getState());
-  if (node->getTypeId() != SoSeparator::getClassTypeId() ||
-      !collector.plain_.read(*static_cast<const SoSeparator*>(node), action->getModelMatrix(), property))
-    return SoCallbackAction::CONTINUE;
-  for (const SoHapticProperty* own : collector.plain_.properties()) collector.check(own);
-  for (PlainSeparator::Felt& felt : collector.plain_.felt()) {
-    const ShapeId id = collector.ids_.idOf(*action->getCurPath(), felt.node);
-    collector.add({id, felt.node, *felt.property, felt.toW}, std::move(felt.shape));
-  }
+  const auto& separator = *static_cast<const SoSeparator*>(node);
+  const PathIds::Way way = collector.memory_.ids.wayToParent(*action->getCurPath());
+  if (!collector.takePlain(separator, collector.surroundings(way, *action))) collector.walk(separator, *action);
   return SoCallbackAction::PRUNE;
 }
 
@@ -139,6 +145,103 @@ Response SceneCollector::onDragger(void*, SoCallbackAction*, const SoNode*) {
   return SoCallbackAction::PRUNE;
 }
 
+void SceneCollector::walk(const SoSeparator& separator, SoCallbackAction& action) {
+  const PathIds::Way way = memory_.ids.wayOf(*action.getCurPath());
+  action.getState()->push();
+  SoChildList& children = *separator.getChildren();
+  std::optional<Surroundings> around;  // as long as nothing but Separators comes
+  for (int i = 0; i < children.getLength() && !action.hasTerminated(); ++i) {
+    const SoNode* child = children[i];
+    if (child->getTypeId() == SoSeparator::getClassTypeId()) {
+      if (!around) around = surroundings(way, action);
+      if (takePlain(*static_cast<const SoSeparator*>(child), *around)) continue;
+    }
+    children.traverse(&action, i);
+    around.reset();
+  }
+  action.getState()->pop();
+}
+
+Surroundings SceneCollector::surroundings(PathIds::Way way, SoCallbackAction& action) const {
+  const SoHapticProperty* property = SoHapticPropertyElement::get(action.getState());
+  return {way, action.getModelMatrix(), property, property ? property->getNodeId() : 0};
+}
+
+bool SceneCollector::takePlain(const SoSeparator& separator, const Surroundings& around) {
+  const KnownSeparators::Separator* known = memory_.scene ? memory_.separators.find(separator, around) : nullptr;
+  if (known) {
+    takeKnown(*known, around);
+    return true;
+  }
+  if (!plain_.read(separator, around.toW, around.property)) return false;
+  takeRead(separator, around);
+  return true;
+}
+
+void SceneCollector::takeRead(const SoSeparator& separator, const Surroundings& around) {
+  const std::size_t firstWall = scene.walls.size(), firstZone = scene.zones.size();
+  const PathIds::Way way = PathIds::wayOn(around.way, &separator);
+  plainShapes_.clear();
+  plainProperties_.clear();
+  for (const SoHapticProperty* own : plain_.properties()) {
+    check(own);
+    plainProperties_.push_back({own, memory_.met.placeOf(own)});
+  }
+  for (PlainSeparator::Felt& felt : plain_.felt()) {
+    const PathIds::Place place = memory_.ids.placeOf(PathIds::wayOn(way, felt.node));
+    const std::size_t zones = scene.zones.size();
+    add({memory_.ids.meet(place), felt.node, *felt.property, felt.toW}, std::move(felt.shape));
+    plainShapes_.push_back({place, scene.zones.size() > zones, {felt.node, felt.property}});
+  }
+  const auto isFaulty = [&](const SoNode* own) {
+    const auto first = said_.lower_bound({own, {}});
+    return first != said_.end() && first->first == own;
+  };
+  if (std::ranges::any_of(plain_.properties(), isFaulty)) return;  // to be said again by the next compilation
+  memory_.separators.note(separator, around, firstWall, firstZone, plainShapes_, plainProperties_);
+}
+
+namespace {
+
+/// Another shape is as before.
+void keep(KeptRuns& runs, std::size_t before, std::size_t now) {
+  KeptRun* last = runs.empty() ? nullptr : &runs.back();
+  if (last && last->before + last->count == before && last->now + last->count == now) {
+    ++last->count;
+  } else {
+    runs.push_back({static_cast<std::uint32_t>(before), static_cast<std::uint32_t>(now), 1});
+  }
+}
+
+/// A wall or zone as it was; should another one come to have its id, with a new one.
+template <typename Felt>
+void takeOver(const std::vector<Felt>& before, std::size_t number, ShapeId id, std::vector<Felt>& now, KeptRuns& runs) {
+  now.push_back(before[number]);
+  if (now.back().id == id) return keep(runs, number, now.size() - 1);
+  now.back().id = id;
+}
+
+}  // namespace
+
+void SceneCollector::takeKnown(const KnownSeparators::Separator& known, const Surroundings& around) {
+  const std::size_t firstWall = scene.walls.size(), firstZone = scene.zones.size();
+  const auto properties = memory_.separators.propertiesOf(known);
+  const auto shapes = memory_.separators.shapesOf(known);
+  for (const KnownSeparators::Property& own : properties) note(own);
+  std::size_t wall = known.firstWall, zone = known.firstZone;
+  for (const KnownSeparators::Shape& shape : shapes) {
+    const ShapeId id = memory_.ids.meet(shape.place);
+    if (shape.isZone) {
+      takeOver(memory_.scene->zones, zone++, id, scene.zones, keptZones);
+      origins.zones.push_back(shape.origin);
+    } else {
+      takeOver(memory_.scene->walls, wall++, id, scene.walls, keptWalls);
+      origins.walls.push_back(shape.origin);
+    }
+  }
+  memory_.separators.note(*known.node, around, firstWall, firstZone, shapes, properties);
+}
+
 void SceneCollector::takeTool(const SoHapticTool& tool) {
   if (origins.tool) {
     say(Severity::error, &tool, "is a second tool: a scene has one; remove all HapticTool nodes but one");
@@ -165,16 +268,16 @@ bool SceneCollector::takeShape(const SoNode* node, SoCallbackAction& action) {
     return false;
   }
   if (!converted.shape) return beginMesh(node, action);
-  add(feltOf(ids_.idOf(*action.getCurPath()), node, action), std::move(*converted.shape));
+  add(feltOf(memory_.ids.idOf(*action.getCurPath()), node, action), std::move(*converted.shape));
   return false;
 }
 
 bool SceneCollector::beginMesh(const SoNode* node, SoCallbackAction& action) {
   const float complexityBefore = action.getComplexity();
   if (!isMadeOfCorners(node)) SoComplexityElement::set(action.getState(), kFinest);
-  const ShapeId id = ids_.idOf(*action.getCurPath());
+  const ShapeId id = memory_.ids.idOf(*action.getCurPath());
   MeshSource source = MeshSource::of(node, action);
-  if (auto known = meshes_.find(id, source)) {
+  if (auto known = memory_.meshes.find(id, source)) {
     triangles_ += known->triangles.size();
     add(feltOf(id, node, action), shapeOf(std::move(known)));
     SoComplexityElement::set(action.getState(), complexityBefore);
@@ -207,7 +310,7 @@ void SceneCollector::endMesh(const SoNode* node, SoCallbackAction& action) {
         "it faces");
     return;
   }
-  meshes_.keep(ended.id, std::move(ended.source), mesh);
+  memory_.meshes.keep(ended.id, std::move(ended.source), mesh);
   add(feltOf(ended.id, node, action), shapeOf(std::move(mesh)));
 }
 
@@ -222,11 +325,13 @@ void SceneCollector::tellProgress() const {
 }
 
 void SceneCollector::check(const SoNode* node) {
-  bool& isChecked = checked_[reinterpret_cast<std::uintptr_t>(node)];
-  if (isChecked) return;
-  isChecked = true;
+  if (!memory_.met.meet(memory_.met.placeOf(node))) return;
   if (node->isOfType(SoHapticProperty::getClassTypeId())) origins.properties.push_back(node);
   for (const FieldFault& fault : checkFields(node)) say(fault.severity, node, fault.message);
+}
+
+void SceneCollector::note(const KnownSeparators::Property& property) {
+  if (memory_.met.meet(property.place)) origins.properties.push_back(property.node);
 }
 
 void SceneCollector::checkPlace(const SoNode* node, SoCallbackAction& action) {

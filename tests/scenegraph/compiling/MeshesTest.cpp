@@ -168,9 +168,8 @@ TEST(FeltByTriangles, SaysWhichShapeIsTooMuch) {
   const SceneFile scene =
       read("HapticTool { } HapticSurface { } Array { numElements1 3 " + kFaces + "} DEF last Cube { depth 0 }");
   for (const std::size_t most : {5u, 6u, 100u}) {
-    MeshCache meshes;
-    PathIds ids;
-    SceneCollector collector(ids, meshes, {}, most);
+    SceneMemory memory;
+    SceneCollector collector(memory, {}, most);
     collector.collect(scene.root.get());
     EXPECT_EQ(hasErrors(collector.diagnostics), most < 100);
     if (most < 100) {
