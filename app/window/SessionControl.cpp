@@ -117,7 +117,7 @@ SessionControl::SessionControl(SceneDocument& document, QObject* parent)
     if (QApplication::mouseButtons() != Qt::NoButton) return parts_->textPause.start();  // a handle may be held
     if (isRunning()) parts_->takeLateText();
   });
-  connect(&document, &SceneDocument::sceneCompiled, this, [this] { parts_->publish(); });
+  connect(&document, &SceneDocument::sceneReady, this, [this] { parts_->publish(); });
 }
 
 SessionControl::~SessionControl() = default;
