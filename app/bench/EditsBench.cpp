@@ -23,24 +23,30 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint32_t kWalls = 1000;
-constexpr int kRounds = 10;
-constexpr int kEdits = 250;                    // in a round
-constexpr std::chrono::milliseconds kPace{8};  // from one to the next: two in a graphics frame
+/// How a floor of walls is edited.
+struct EditPlan {
+  std::uint32_t walls;
+  int rounds;
+  int edits;                       ///< in a round
+  std::chrono::milliseconds pace;  ///< from one to the next
+};
+constexpr EditPlan kFewWalls{1000, 10, 250, std::chrono::milliseconds(8)};      // two in a graphics frame
+constexpr EditPlan kManyWalls{100000, 10, 2, std::chrono::milliseconds(1000)};  // as many as the log can take
 /// By then the flight recorder, which keeps two seconds, has forgotten the scenes of the edits.
 constexpr std::chrono::milliseconds kPause{2200};
 
 /// A floor of walls as a scene graph, whose walls are stiffened, moved, taken away and put back, in turn.
 class EditedFloor {
  public:
-  EditedFloor() : arm_(kWalls) {
-    file_ = readSceneText(sceneText(arm_.scene()), "bench.iv");
+  explicit EditedFloor(std::uint32_t walls) : walls_(walls), arm_(walls), text_(sceneText(arm_.scene())) {
+    file_ = readSceneText(text_.get(), "bench.iv");
     if (!file_.root) throw std::runtime_error("the bench's own scene cannot be read: this is a fault of the program");
   }
 
   SessionSetup setup(const std::filesystem::path& log) {
     SessionSetup setup;
     setup.scene = compiled();
+    setup.sceneText = text_;
     setup.description = arm_.description();
     setup.hand = arm_.hand();
     setup.log = log;
@@ -49,7 +55,7 @@ class EditedFloor {
 
   void edit(int number) {
     SoSeparator& root = *file_.root.get();
-    const int at = 2 + 7 * (number / 4) % static_cast<int>(kWalls - 8);  // after device and tool
+    const int at = 2 + 7 * (number / 4) % static_cast<int>(walls_ - 8);  // after device and tool
     auto* wall = static_cast<SoSeparator*>(root.getChild(at));
     if (number % 4 == 0) static_cast<SoHapticSurface*>(wall->getChild(0))->stiffness = 1000.0F + number % 1000;
     if (number % 4 == 1) {
@@ -63,6 +69,8 @@ class EditedFloor {
     if (number % 4 == 3) root.insertChild(taken_.get(), at);
   }
 
+  const SharedText& text() const { return text_; }
+
   std::shared_ptr<const HapticScene> compiled() {
     CompiledScene result = compiler_.compile(file_);
     if (!result.scene)
@@ -71,7 +79,9 @@ class EditedFloor {
   }
 
  private:
+  std::uint32_t walls_;
   ArmOnFloor arm_;
+  SharedText text_;
   SceneFile file_;
   SceneCompiler compiler_;
   NodeRef<SoSeparator> taken_;
@@ -127,23 +137,22 @@ class DeadlineWatch {
   Deadlines last_;
 };
 
-}  // namespace
-
-void benchEdits(BenchRun& run) {
-  run.tell("edits: " + std::to_string(kRounds * kEdits) + " of a running session");
-  EditedFloor floor;
+void benchPlan(BenchRun& run, const EditPlan& plan) {
+  run.tell("edits: " + std::to_string(plan.rounds * plan.edits) + " of a running session among " +
+           std::to_string(plan.walls) + " walls");
+  EditedFloor floor(plan.walls);
   const TemporaryFile log;
   Session session(floor.setup(log.path()));
   DeadlineWatch watch(session);
-  CallTimes times(kEdits);
+  CallTimes times(static_cast<std::size_t>(plan.edits));
   Deadlines edited, idle;
   std::vector<std::optional<double>> held;  // after each pause; by the second one the heap has found its size
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < plan.rounds; ++round) {
     Clock::time_point next = Clock::now();
-    for (int i = 0; i < kEdits; ++i) {
-      floor.edit(round * kEdits + i);
-      times.time([&] { return session.publish(floor.compiled(), "bench").get(); });
-      std::this_thread::sleep_until(next += kPace);
+    for (int i = 0; i < plan.edits; ++i) {
+      floor.edit(round * plan.edits + i);
+      times.time([&] { return session.publish(floor.compiled(), floor.text()).get(); });
+      std::this_thread::sleep_until(next += plan.pace);
     }
     times.endPass();
     watch.look(edited);
@@ -155,11 +164,18 @@ void benchEdits(BenchRun& run) {
   const std::string trouble = session.logTrouble();
   session.stop();
   if (!trouble.empty()) throw std::runtime_error("the log of the bench's session failed: " + trouble);
-  BenchResult result = resultOf("edits/live", kWalls, times);
+  BenchResult result = resultOf("edits/live", plan.walls, times);
   edited.addTo(result.notes, "");
   idle.addTo(result.notes, "_without_edits");
   if (held[1] && held.back()) result.notes.emplace_back("memory_growth_MiB", *held.back() - *held[1]);
   run.add(result);
+}
+
+}  // namespace
+
+void benchEdits(BenchRun& run) {
+  benchPlan(run, kFewWalls);
+  benchPlan(run, kManyWalls);
 }
 
 }  // namespace haptiv

@@ -46,48 +46,6 @@ MeshIndex meshesOf(const std::vector<Wall>& walls) {
   return index;
 }
 
-template <typename Felt>
-bool isSame(const Felt& a, const Felt& b) {
-  return a.id == b.id && a.shape.kind == b.shape.kind && a.shape.centre == b.shape.centre &&
-         a.shape.axes == b.shape.axes && a.shape.mesh == b.shape.mesh;
-}
-
-/// What became of the shapes of the version before.
-struct Kept {
-  std::vector<std::uint32_t> nowOf;  ///< the number that each has now, or kGone
-  std::vector<bool> isNew;           ///< of those there are now
-  bool isAll = true;                 ///< nothing was added, taken away or moved
-};
-
-template <typename Felt>
-Kept keptOf(const std::vector<Felt>& now, const std::vector<Felt>& before, const KeptRuns& runs) {
-  Kept kept{std::vector<std::uint32_t>(before.size(), kGone), std::vector<bool>(now.size(), true)};
-  std::uint32_t atBefore = 0, atNow = 0;
-  const auto keep = [&] {
-    kept.nowOf[atBefore++] = atNow;
-    kept.isNew[atNow++] = false;
-  };
-  const auto pass = [&](std::uint32_t endBefore, std::uint32_t endNow) {
-    const bool mayBeSame = endBefore - atBefore == endNow - atNow;
-    while (mayBeSame && atNow < endNow) {
-      if (isSame(now[atNow], before[atBefore])) {
-        keep();
-      } else {
-        kept.isAll = false;
-        ++atBefore, ++atNow;
-      }
-    }
-    kept.isAll = kept.isAll && mayBeSame;
-    atBefore = endBefore, atNow = endNow;
-  };
-  for (const KeptRun& run : runs) {
-    pass(run.before, run.now);
-    for (std::uint32_t i = 0; i < run.count; ++i) keep();
-  }
-  pass(static_cast<std::uint32_t>(before.size()), static_cast<std::uint32_t>(now.size()));
-  return kept;
-}
-
 }  // namespace
 
 /// One of the two indices, from its version before.
@@ -113,7 +71,7 @@ class SceneIndexer::Update {
   static ShapeIndex from(const ShapeIndex& old, const std::vector<Felt>& before, const std::vector<Felt>& now,
                          const KeptRuns& runs, Plan& plan) {
     if (old.tree.size() != before.size() || plan.tree.nodes.size() != old.tree.nodes().size()) return fresh(now, plan);
-    const Kept kept = keptOf(now, before, runs);
+    const KeptShapes kept = keptOf(now, before, runs);
     if (kept.isAll) return old;
     if (!keepsOrigin(old.tree.origin(), before, now, kept, plan.bounds)) return fresh(now, plan);
     std::vector<std::uint32_t> itemNow(old.entries.size());
@@ -133,7 +91,7 @@ class SceneIndexer::Update {
   /// Whether the tree would still be seen from the same place.
   template <typename Felt>
   static bool keepsOrigin(const Vector3& origin, const std::vector<Felt>& before, const std::vector<Felt>& now,
-                          const Kept& kept, BoundsOfAll& bounds) {
+                          const KeptShapes& kept, BoundsOfAll& bounds) {
     bool isKnown = true;
     for (std::size_t i = 0; i < now.size(); ++i) {
       if (kept.isNew[i]) bounds.add(boundsOf(now[i].shape));
@@ -150,7 +108,7 @@ class SceneIndexer::Update {
 
   /// Those that were kept stand in the order of the tree before, whose boxes are theirs.
   template <typename Felt>
-  static std::vector<SplitItem> itemsOf(const BoundingTree& old, const std::vector<Felt>& now, const Kept& kept,
+  static std::vector<SplitItem> itemsOf(const BoundingTree& old, const std::vector<Felt>& now, const KeptShapes& kept,
                                         const std::vector<std::uint32_t>& itemNow) {
     std::vector<SplitItem> items;
     items.reserve(now.size());

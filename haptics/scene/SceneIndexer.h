@@ -1,25 +1,11 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "haptics/index/TreeOrigin.h"
 #include "haptics/index/TreePlan.h"
 #include "haptics/scene/HapticScene.h"
+#include "haptics/scene/KeptShapes.h"
 
 namespace haptiv {
-
-/// Shapes that a scene has from the version before: `count` of them that stood there from number `before` on, now stand
-/// from number `now` on. Id and place are the same; how they feel may be another.
-struct KeptRun {
-  std::uint32_t before = 0;
-  std::uint32_t now = 0;
-  std::uint32_t count = 0;
-
-  bool operator==(const KeptRun&) const = default;
-};
-/// Rising in both numbers.
-using KeptRuns = std::vector<KeptRun>;
 
 /// Makes the indices of a scene that is edited again and again. They are, bit for bit, those of computeBounds; where
 /// most shapes were kept, in a fraction of the time. Thread: any one.
