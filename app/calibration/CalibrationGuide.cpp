@@ -62,6 +62,11 @@ std::string CalibrationGuide::instruction() const {
   return {};
 }
 
+void CalibrationGuide::setLoads(std::vector<Vector6> loads) {
+  calibration_.forgetLoads();
+  loads_ = std::move(loads);
+}
+
 Vector6 CalibrationGuide::load() const {
   return step_ == GuideStep::loads ? loads_[calibration_.loads()] : Vector6(Vector6::Zero());
 }

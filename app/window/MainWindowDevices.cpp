@@ -33,6 +33,7 @@ void MainWindow::showOperator() {
 
 void MainWindow::startSession() {
   Parts& p = *parts_;
+  p.status->clearMessage();  // it would hide the session's state
   if (!isFalcon(p.device->device().toStdString())) return p.session->start();
   if (const auto description = p.session->descriptionNeeded()) openFalcon(*description);
 }
@@ -98,7 +99,7 @@ void MainWindow::keepFirmware(const QString& path) {
   try {
     p.firmware = QString::fromStdString(falcon::keepFirmware(path.toStdString()));
     p.device->setFirmware(p.firmware);
-    p.status->showMessage(tr("The Falcon's firmware is kept as %1").arg(p.firmware), 10'000);
+    p.status->showMessage(tr("The Falcon's firmware is kept as %1").arg(p.firmware), 4'000);
   } catch (const std::exception& error) {
     tell(QString::fromUtf8(error.what()));
   }

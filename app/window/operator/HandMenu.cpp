@@ -44,7 +44,8 @@ void HandMenu::offerWay(const char* name, const QString& text, std::optional<Spa
   item->setObjectName(name);
   item->setCheckable(true);
   addAction(item);
-  connect(item, &QAction::triggered, this, [this, mode] {
+  // By way of the group: a menu that is cleared cuts its items' connections with itself.
+  connect(item, &QAction::triggered, ways_, [this, mode] {
     mode_ = mode;
     tell();
   });
