@@ -36,6 +36,8 @@ class CalibrationGuide {
   /// The first step again; what was found stays until it is found anew.
   void restart();
 
+  /// Whether this device has that step: one of the impedance type has no force sensor.
+  bool has(GuideStep step) const noexcept;
   bool isDone(GuideStep step) const noexcept { return done_[static_cast<std::size_t>(step)]; }
   const Calibration& calibration() const noexcept { return calibration_; }
   /// What has changed, a line each; "nothing" where nothing has.

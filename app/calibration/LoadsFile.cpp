@@ -41,6 +41,7 @@ KnownLoad loadIn(const std::string& line, std::size_t columns, const CsvPlace& p
 
 std::vector<KnownLoad> readLoadsFile(const std::filesystem::path& path) {
   std::ifstream file(path);
+  if (!file) throw std::runtime_error(path.string() + ": cannot be read: check the path and its permissions");
   CsvPlace place{path, 0};
   std::vector<KnownLoad> loads;
   std::size_t columns = 0;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/commands/DeviceName.h"
 #include "app/commands/ExitCode.h"
 #include "app/commands/LiveRun.h"
 #include "app/commands/LoadedScene.h"
@@ -63,11 +64,10 @@ void refuseWhatIsNotThere(const RunOptions& options) {
     throw CommandFailure(kWrongUsage, "--device " + options.device +
                                           ": there is no such device; use sim, usb, usb:WHICH, falcon or falcon:WHICH, "
                                           "as haptiv device list names them");
-  for (const std::string& name : {options.device, isSpaceMouse(options) ? options.hand : std::string("rest")})
-    if (name.ends_with(':'))
-      throw CommandFailure(kWrongUsage, name +
-                                            ": which one? Give the serial number or the port behind the colon, as "
-                                            "haptiv device list names them, or leave the colon out");
+  refuseWithoutName(options.device);
+  if (isSpaceMouse(options)) refuseWithoutName(options.hand);
+  if (!options.firmware.empty() && !isFalcon(options.device))
+    throw CommandFailure(kWrongUsage, "--firmware: is a Falcon's; give --device falcon too, or leave it out");
 }
 
 // A person moves it, and time is that person's.

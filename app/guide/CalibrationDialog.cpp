@@ -119,6 +119,7 @@ void CalibrationDialog::tell(const QString& what, bool refused) {
 void CalibrationDialog::showSteps() {
   QString rows;
   for (const GuideStep step : kSteps) {
+    if (!parts_->guide.has(step)) continue;
     const bool here = step == parts_->guide.step();
     const QString mark = parts_->guide.isDone(step) ? "&#10003;" : here ? "&#9654;" : "&#9675;";
     const QString name = tr(nameOf(step));

@@ -105,6 +105,14 @@ TEST_F(Guided, SaysWhatStandsInTheWayOfSaving) {
   picture("unwritten");
 }
 
+TEST_F(Guided, LeavesOutTheSensorOfADeviceThatHasNone) {
+  known_ = loadDeviceDescription("falcon");
+  open();
+  EXPECT_FALSE(text("guideSteps").contains("Sensor"));
+  measure();
+  EXPECT_TRUE(text("guideTitle").contains("Save")) << text("guideTitle").toStdString();
+}
+
 TEST_F(Guided, FitsOnASmallScreen) {
   open();
   EXPECT_LE(dialog_->minimumSizeHint().width(), 1240);
