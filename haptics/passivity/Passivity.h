@@ -3,7 +3,7 @@
 #include "haptics/contact/ContactSet.h"
 #include "haptics/control/Admittance.h"
 #include "haptics/passivity/PassivityObserver.h"
-#include "haptics/tick/Measured.h"
+#include "haptics/measuring/Measured.h"
 #include "haptics/tick/TickRecord.h"
 
 namespace haptiv {

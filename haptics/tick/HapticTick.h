@@ -12,7 +12,7 @@
 #include "haptics/safety/SessionStates.h"
 #include "haptics/scene/HapticScene.h"
 #include "haptics/scene/SceneFade.h"
-#include "haptics/tick/Measured.h"
+#include "haptics/measuring/Measured.h"
 #include "haptics/tick/TickRecord.h"
 
 namespace haptiv {

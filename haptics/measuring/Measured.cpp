@@ -1,4 +1,4 @@
-#include "haptics/tick/Measured.h"
+#include "haptics/measuring/Measured.h"
 
 #include <cmath>
 
