@@ -60,6 +60,10 @@ TEST(Layers, DeviceKnowsNoneOfTheOthers) {
 TEST(Layers, HapticsKnowsOnlyTheDevice) {
   expectNoInclude("haptics", "^(scenegraph|app)/");
 }
+TEST(Layers, WhatATickIsMadeOfDoesNotKnowTheTick) {
+  expectNoInclude("haptics", "^haptics/(tick|servo)/", "^haptics/(tick|servo)/");
+  expectNoInclude("haptics/tick", "^haptics/servo/");
+}
 TEST(Layers, ScenegraphKnowsNothingOfTheApplication) {
   expectNoInclude("scenegraph", "^app/");
 }
