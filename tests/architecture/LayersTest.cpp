@@ -76,7 +76,8 @@ TEST(Layers, CoinStaysInScenegraphAndApp) {
 }
 
 TEST(Layers, QtStaysInApp) {
-  for (const char* folder : {"device", "haptics", "scenegraph", "app/session", "app/devicecheck"}) expectNoInclude(folder, kQt);
+  for (const char* folder : {"device", "haptics", "scenegraph", "app/session", "app/devicecheck"})
+    expectNoInclude(folder, kQt);
 }
 
 TEST(Layers, Hdf5StaysInTheSessionLog) {
@@ -89,6 +90,10 @@ TEST(Layers, LibusbStaysInTheUsbTransport) {
   for (const char* folder : {"haptics", "scenegraph", "app"}) expectNoInclude(folder, kLibusb);
 }
 
+TEST(Layers, TheBoardsSideOfTheWireKnowsNothingOfTheHosts) {
+  for (const char* folder : {"device/board", "device/usb/peripheral", "device/usb/protocol", "device/usb/virtual"})
+    expectNoInclude(folder, "^device/usb/(host|libusb|falcon|spacemouse|UsbDevice)|^libusb");
+}
 TEST(Layers, TheSessionLibraryNeedsNoSceneGraph) {
   expectNoInclude("app/session", "^scenegraph/");
 }

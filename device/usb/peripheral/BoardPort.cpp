@@ -1,4 +1,4 @@
-#include "device/usb/BoardPort.h"
+#include "device/usb/peripheral/BoardPort.h"
 
 namespace haptiv::usb {
 
