@@ -9,7 +9,7 @@
 #include "app/commands/Report.h"
 #include "device/DeviceDescription.h"
 #include "device/kinematics/ArmKinematics.h"
-#include "device/redundancy/Criterion.h"
+#include "device/redundancy/criterion/Criterion.h"
 
 namespace haptiv {
 namespace {

@@ -4,8 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <random>
 
-#include "device/redundancy/Cholesky.h"
-#include "device/redundancy/SymmetricEigen.h"
+#include "device/redundancy/matrices/Cholesky.h"
+#include "device/redundancy/matrices/SymmetricEigen.h"
 
 namespace haptiv {
 namespace {

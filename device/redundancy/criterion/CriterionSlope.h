@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "device/redundancy/BlockEigen.h"
-#include "device/redundancy/Criterion.h"
+#include "device/redundancy/criterion/Criterion.h"
+#include "device/redundancy/matrices/BlockEigen.h"
 
 namespace haptiv {
 

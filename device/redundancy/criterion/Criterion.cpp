@@ -1,8 +1,8 @@
-#include "device/redundancy/Criterion.h"
+#include "device/redundancy/criterion/Criterion.h"
 
 #include <numbers>
 
-#include "device/redundancy/BlockEigen.h"
+#include "device/redundancy/matrices/BlockEigen.h"
 
 namespace haptiv {
 namespace {

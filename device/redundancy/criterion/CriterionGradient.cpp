@@ -1,6 +1,6 @@
-#include "device/redundancy/CriterionGradient.h"
+#include "device/redundancy/criterion/CriterionGradient.h"
 
-#include "device/redundancy/JacobianDerivative.h"
+#include "device/redundancy/criterion/JacobianDerivative.h"
 
 namespace haptiv {
 namespace {

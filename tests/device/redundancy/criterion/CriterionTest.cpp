@@ -1,4 +1,4 @@
-#include "device/redundancy/Criterion.h"
+#include "device/redundancy/criterion/Criterion.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "device/kinematics/Vishard10.h"
-#include "device/redundancy/CriterionGradient.h"
-#include "device/redundancy/JacobianDerivative.h"
+#include "device/redundancy/criterion/CriterionGradient.h"
+#include "device/redundancy/criterion/JacobianDerivative.h"
 #include "tests/device/PaperArm.h"
 #include "tests/support/Random.h"
 

@@ -1,4 +1,4 @@
-#include "device/redundancy/JacobianDerivative.h"
+#include "device/redundancy/criterion/JacobianDerivative.h"
 
 namespace haptiv {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "device/redundancy/CriterionSlope.h"
+#include "device/redundancy/criterion/CriterionSlope.h"
 #include "device/types.h"
 
 namespace haptiv {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "device/redundancy/SymmetricEigen.h"
+#include "device/redundancy/matrices/SymmetricEigen.h"
 
 namespace haptiv {
 
