@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/HandFile.h"
+#include "app/session/hands/HandFile.h"
 #include "app/session/log/SessionLogWriter.h"
 #include "haptics/scene/HapticScene.h"
 #include "haptics/servo/ServoLoop.h"

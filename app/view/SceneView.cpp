@@ -13,14 +13,14 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "app/view/Background.h"
 #include "app/view/CoinValues.h"
-#include "app/view/GroundGrid.h"
 #include "app/view/QtEnvironment.h"
-#include "app/view/RubberLine.h"
-#include "app/view/StudioLights.h"
 #include "app/view/ViewCamera.h"
 #include "app/view/ViewMouse.h"
+#include "app/view/drawn/Background.h"
+#include "app/view/drawn/GroundGrid.h"
+#include "app/view/drawn/RubberLine.h"
+#include "app/view/drawn/StudioLights.h"
 
 namespace haptiv {
 namespace {

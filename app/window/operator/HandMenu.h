@@ -3,7 +3,7 @@
 #include <QMenu>
 #include <optional>
 
-#include "app/session/SpaceMouseHand.h"
+#include "app/session/hands/SpaceMouseHand.h"
 
 namespace haptiv {
 
