@@ -3,6 +3,8 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "app/timing/DurationText.h"
+
 namespace haptiv {
 namespace {
 
