@@ -4,28 +4,13 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 
 #include "app/editor/Edits.h"
-#include "app/editor/panels/DiagnosticsList.h"
-#include "app/editor/panels/PropertyPanel.h"
-#include "app/editor/panels/SceneTree.h"
 #include "tests/app/editor/EditedScene.h"
+#include "tests/app/editor/panels/PanelWidgets.h"
 
 namespace haptiv {
 namespace {
-
-template <typename Widget = NumberField>
-Widget& field(QWidget& panel, const char* name) {
-  auto* widget = panel.findChild<Widget*>(name);
-  if (!widget) throw std::runtime_error(std::string("the panel has no ") + name);
-  return *widget;
-}
-
-QTreeWidgetItem* rowNamed(SceneTree& tree, const QString& name) {
-  const auto rows = tree.findItems(name, Qt::MatchExactly | Qt::MatchRecursive);
-  return rows.isEmpty() ? nullptr : rows.front();
-}
 
 double stiffness(const EditedScene& scene, std::size_t wall) {
   return scene.document.compiled().scene->walls.at(wall).surface.stiffness;
@@ -171,78 +156,6 @@ TEST(PropertyPanel, RenamesAWallInTheTreeToo) {
   EXPECT_FALSE(rowNamed(tree, "left"));
   emit line.editingFinished();
   EXPECT_EQ(scene.document.undoStack().count(), 1) << "nothing was changed the second time";
-}
-
-TEST(SceneTree, GroupsByKindWithCounts) {
-  EditedScene scene(kTwoWalls);
-  SceneTree tree(scene.document);
-  addShape(scene.document, SceneItem::Kind::dampingZone);
-  letEventsRun();
-  EXPECT_TRUE(rowNamed(tree, "Walls (2)"));
-  EXPECT_TRUE(rowNamed(tree, "Damping zones (1)"));
-  EXPECT_TRUE(rowNamed(tree, "Spring zones (0)"));
-  ASSERT_TRUE(tree.currentItem());
-  EXPECT_EQ(tree.currentItem()->text(0), "damping zone 1");
-}
-
-TEST(SceneTree, SelectsInTheDocumentAndFollowsIt) {
-  EditedScene scene(kTwoWalls);
-  SceneTree tree(scene.document);
-  PropertyPanel panel(scene.document);
-  tree.setCurrentItem(rowNamed(tree, "left"));
-  letEventsRun();
-  ASSERT_TRUE(scene.document.selection());
-  EXPECT_EQ(field<QLabel>(panel, "selectionName").text(), "left");
-  EXPECT_EQ(field(panel, "stiffnessField").value(), 1500);
-  ASSERT_TRUE(scene.select("right"));
-  EXPECT_EQ(tree.currentItem(), rowNamed(tree, "right"));
-  scene.document.select(nullptr);
-  letEventsRun();
-  EXPECT_EQ(tree.currentItem(), nullptr);
-}
-
-TEST(DiagnosticsList, SaysThatThereAreNoProblems) {
-  EditedScene scene("#Inventor V2.1 ascii\nHapticTool { home 0.3 0 0 }\n");
-  DiagnosticsList list(scene.document);
-  ASSERT_EQ(list.count(), 1);
-  EXPECT_EQ(list.item(0)->text(), "No problems");
-}
-
-TEST(DiagnosticsList, SelectsTheShapeThatIsMeant) {
-  EditedScene scene(kTwoWalls);
-  DiagnosticsList list(scene.document);
-  ASSERT_TRUE(scene.select("left"));
-  editProperty(
-      scene.document, "stiffness", [](const SoField& f) { return FieldValue(f, "-1"); }, Reach::onlyThis);
-  scene.document.select(nullptr);
-  letEventsRun();
-  ASSERT_EQ(list.count(), 1);
-  EXPECT_THAT(list.item(0)->text().toStdString(), testing::HasSubstr("stiffness"));
-  emit list.itemClicked(list.item(0));
-  letEventsRun();
-  const std::vector<SceneItem> items = scene.items();
-  const SceneItem* item = findItem(items, scene.document.selection());
-  ASSERT_TRUE(item);
-  EXPECT_EQ(item->name, "left");
-}
-
-TEST(DiagnosticsList, ShowsWhatIsDoubtfulWithItsLineAndSelectsIt) {
-  EditedScene scene(
-      "#VRML V2.0 utf8\nHapticTool { home 0.3 0 0 }\nTransform { translation 0.3 0.2 0 children [ HapticSurface { "
-      "label "
-      "\"thin\" }\nShape { geometry Box { size 0.1 0.001 0.1 } } ] }\n");
-  DiagnosticsList list(scene.document);
-  ASSERT_EQ(list.count(), 1);
-  EXPECT_THAT(list.item(0)->text().toStdString(), testing::StartsWith("Line 4: "));
-  EXPECT_THAT(list.item(0)->text().toStdString(), testing::HasSubstr("1 mm thick"));
-  EXPECT_NE(list.item(0)->icon().cacheKey(), 0);
-  emit list.itemActivated(list.item(0));
-  letEventsRun();
-  const std::vector<SceneItem> items = scene.items();
-  const SceneItem* item = findItem(items, scene.document.selection());
-  ASSERT_TRUE(item);
-  EXPECT_EQ(item->name, "thin");
-  EXPECT_EQ(item->kind, SceneItem::Kind::wall);
 }
 
 }  // namespace
