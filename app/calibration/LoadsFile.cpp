@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/session/hands/CsvLine.h"
+#include "app/session/CsvLine.h"
 
 namespace haptiv {
 namespace {

@@ -62,6 +62,9 @@ constexpr const char* kWithoutWindow[] = {"device",          "haptics",   "app/s
 TEST(Layers, DeviceKnowsNoneOfTheOthers) {
   expectNoInclude("device", "^(haptics|scenegraph|app)/");
 }
+TEST(Layers, ADeviceIsDescribedAndDrivenWithoutItsSimulation) {
+  expectNoInclude("device", "^device/simulated/", "^device/(simulated|usb/virtual)/");
+}
 TEST(Layers, HapticsKnowsOnlyTheDevice) {
   expectNoInclude("haptics", "^(scenegraph|app)/");
 }

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/session/hands/CsvLine.h"
+#include "app/session/CsvLine.h"
 
 namespace haptiv {
 namespace {

@@ -1,4 +1,4 @@
-#include "scenegraph/reading/coin/Isolated.h"
+#include "scenegraph/isolation/Isolated.h"
 
 #include <fcntl.h>
 #include <poll.h>

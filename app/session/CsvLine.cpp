@@ -1,4 +1,4 @@
-#include "app/session/hands/CsvLine.h"
+#include "app/session/CsvLine.h"
 
 #include <charconv>
 #include <cmath>

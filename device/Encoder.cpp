@@ -1,4 +1,4 @@
-#include "device/simulated/Encoder.h"
+#include "device/Encoder.h"
 
 #include <algorithm>
 #include <cmath>
