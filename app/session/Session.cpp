@@ -7,7 +7,7 @@
 #include "app/session/SessionSeat.h"
 #include "app/session/UtcTime.h"
 #include "app/session/hands/LiveHand.h"
-#include "device/usb/UsbDevice.h"
+#include "device/HostButtons.h"
 #include "haptics/scene/DeviceFrames.h"
 
 namespace haptiv {
@@ -35,7 +35,7 @@ struct Session::Parts {
         text(setup.sceneText),
         description(setup.description),
         device(deviceFor(setup, hand)),
-        board(dynamic_cast<UsbDevice*>(device.get())),
+        buttons(dynamic_cast<HostButtons*>(device.get())),
         seams(setup.rate),
         loop(*device, setup.description, {setup.rate, setup.spin}, seams) {
     seams.scene.write(scene);
@@ -58,7 +58,7 @@ struct Session::Parts {
     if (wanted && wantedRotation) target.orientation = scene->device.rotation.transpose() * *wantedRotation;
     target.inputs = static_cast<std::uint16_t>(pressed | (wanted ? kInputDeadMan : 0));
     hand->write(target);
-    if (board != nullptr) board->press(pressed);
+    if (buttons != nullptr) buttons->press(pressed);
   }
 
   void publishNewest() {
@@ -74,7 +74,7 @@ struct Session::Parts {
   std::uint16_t pressed = 0;              // by the live operator
   std::shared_ptr<LiveHand::Seam> hand = std::make_shared<LiveHand::Seam>();
   std::unique_ptr<HapticDevice> device;
-  UsbDevice* board;  // the same, where it is one; else null
+  HostButtons* buttons;  // the same device's, where it has some; else null
   ServoSeams seams;
   ServoLoop loop;
   Scheduling scheduling;

@@ -66,8 +66,12 @@ struct SessionControl::Parts {
     session->press(keys | wish.inputs);
   }
 
-  void open() {
-    const SessionSetup chosen = setup();
+  void open(std::unique_ptr<HapticDevice> started) {
+    SessionSetup chosen = setup();
+    if (started)
+      chosen.device = [held = std::make_shared<std::unique_ptr<HapticDevice>>(std::move(started))] {
+        return std::move(*held);
+      };
     if (handInput)
       spaceMouse = std::make_unique<SpaceMouseOperator>(*handInput, chosen.description, chosen.scene->device);
     session = std::make_unique<Session>(chosen);
@@ -178,17 +182,26 @@ void SessionControl::setHeading(double heading) {
   parts_->heading = heading;
 }
 
-void SessionControl::start() {
-  if (isRunning()) return;
+std::optional<DeviceDescription> SessionControl::descriptionNeeded() {
   const CompiledScene& compiled = parts_->document.compiled();
   if (hasErrors(compiled.diagnostics) || !compiled.scene) {
     emit failed(tr("The scene has errors; mend them first. The list of problems names them."));
-    return;
+    return std::nullopt;
   }
+  try {
+    return loadDeviceDescription(compiled.scene->device.description, parts_->document.path().toStdString());
+  } catch (const std::exception& error) {
+    emit failed(QString::fromUtf8(error.what()));
+    return std::nullopt;
+  }
+}
+
+void SessionControl::startWith(std::unique_ptr<HapticDevice> device) {
+  if (isRunning() || !descriptionNeeded()) return;
   try {
     parts_->takeText();
     parts_->logPath = newLogPath(parts_->document.path());
-    parts_->open();
+    parts_->open(std::move(device));
   } catch (const std::exception& error) {
     parts_->spaceMouse.reset();
     emit failed(QString::fromUtf8(error.what()));
