@@ -47,7 +47,7 @@ struct Session::Parts {
     std::unique_ptr<SessionLogWriter> writer;
     if (setup.log) {
       writer = std::make_unique<SessionLogWriter>(*setup.log, header);
-      writer->addScene(*scene, setup.sceneText);
+      writer->addScene(*scene, setup.sceneText.get());
     }
     recorder = std::make_unique<SessionRecorder>(seams.log, std::move(writer), flightRecorder(setup, header));
   }
@@ -67,7 +67,7 @@ struct Session::Parts {
   }
 
   std::shared_ptr<const HapticScene> scene;  // newest that was published
-  std::string text;                          // its own
+  SharedText text;                           // its own
   DeviceDescription description;
   std::optional<Vector3> wanted;          // p_WH of the live hand
   std::optional<Matrix3> wantedRotation;  // R_WH of the same
@@ -93,7 +93,7 @@ Session::~Session() {
   }
 }
 
-std::shared_ptr<const HapticScene> Session::publish(std::shared_ptr<const HapticScene> scene, std::string text) {
+std::shared_ptr<const HapticScene> Session::publish(std::shared_ptr<const HapticScene> scene, SharedText text) {
   expectFeelable(*scene);
   const HapticScene& felt = *parts_->scene;
   const bool sameSeat = samePlacement(scene->device, felt.device) && scene->tool.home == felt.tool.home;
@@ -111,6 +111,10 @@ std::shared_ptr<const HapticScene> Session::publish(std::shared_ptr<const Haptic
   parts_->text = std::move(text);
   parts_->publishNewest();
   return scene;
+}
+
+std::size_t Session::shapesToLog() const {
+  return parts_->recorder->shapesToLog();
 }
 
 void Session::chooseResolution(const ResolutionChoice& choice) {
