@@ -128,10 +128,12 @@ TEST(Layers, TheExperimentsNeedFiguresAlone) {
   expectNoInclude("app/experiments", "^app/(?!experiments/|figures/Figure.h)");
 }
 
+// But for HDF5's one lock, and for constants that Coin wants to have the address of.
 TEST(Absences, NothingIsRememberedOutsideOfValues) {
+  const std::regex allowed("^(app/session/log/Hdf5|scenegraph/reading/coin/NurbsContext)\\.cpp$");
   for (const char* folder : {"device", "haptics", "scenegraph", "app"}) {
     for (const Found& found : find(folder, R"(^\s*(?:static|thread_local)\s+(?!const\b|constexpr\b)([^()]*)[;={])"))
-      EXPECT_EQ(found.file, "app/session/log/Hdf5.cpp") << "line " << found.line << ": " << found.text;
+      EXPECT_TRUE(std::regex_match(found.file, allowed)) << found.file << ":" << found.line << ": " << found.text;
   }
 }
 
