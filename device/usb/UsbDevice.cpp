@@ -57,6 +57,7 @@ void UsbDevice::Parts::open(double period) {
   client.newest(state);  // of an earlier start
   state = {};
   client.homeNext(choice.home);
+  client.setPeriod(period);
   opened->open();
   if (client.form() == FrameForm::packed && period < kFullSpeedPeriod * (1 - 1e-9))
     throw UsbFailure(UsbTrouble::wrongDevice,

@@ -65,6 +65,7 @@ void UsbLink::open() {
   sched_param parameters{};
   parameters.sched_priority = kPriority;
   pthread_setschedparam(thread_.native_handle(), SCHED_FIFO, &parameters);  // as the servo: where it is permitted
+  pthread_setname_np(thread_.native_handle(), "haptiv-usb");                // for `top -H`
 }
 
 void UsbLink::close() {
@@ -90,7 +91,7 @@ void UsbLink::connect() {
 void UsbLink::run() {
   while (running_) {
     step();
-    events_.wait(patience());
+    events_.wait(patience(), stream_ && stream_->rests() ? Hearing::notTransfers : Hearing::everything);
   }
   if (stream_) drain();
   handle_.reset();
@@ -103,8 +104,9 @@ void UsbLink::step() {
   } else if (stream_->lost() || hotPlug_->left) {
     leave();
   } else {
+    if (events_.rang()) stream_->endRest();
     stream_->recover();
-    stream_->send();
+    if (stream_->send() && stream_->rest().count() > 0) events_.setAlarm(stream_->rest());
   }
   doWork();
 }
