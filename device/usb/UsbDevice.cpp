@@ -81,6 +81,7 @@ void UsbDevice::Parts::open(double period) {
 void UsbDevice::Parts::look() noexcept {
   if (client.newest(state)) {
     reading = state.report.reading;
+    reading.deviceTime = state.report.time;
     fresh = true;
   }
   reading.connected = isRead() && guard.answers() && state.sequence != 0;

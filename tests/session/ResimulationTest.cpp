@@ -42,6 +42,39 @@ TEST_F(Resimulation, OfAFastRunGivesTheSameBits) {
   EXPECT_EQ(result.ticks, 2000u);
 }
 
+/// The simulated arm with a clock of its own, of whose readings some do not come.
+class LossyDevice : public HapticDevice {
+ public:
+  explicit LossyDevice(const SessionSetup& setup) : arm_(setup.description, setup.description.homeAngles, nullptr, 1) {}
+
+  void start(double period) override { arm_.start(period); }
+  DeviceReading read() noexcept override {
+    if (ticks_ % 40 > 3) last_ = arm_.read();
+    if (ticks_ % 40 > 3) last_.deviceTime = 5'000'000 + 1000 * ticks_ + ticks_ % 3 * 40;
+    ++ticks_;
+    return last_;
+  }
+  void write(const DeviceCommand& command) noexcept override { arm_.write(command); }
+  void stop() override { arm_.stop(); }
+
+ private:
+  SimulatedDevice arm_;
+  DeviceReading last_;
+  std::int64_t ticks_ = 4;
+};
+
+TEST_F(Resimulation, ByTheDevicesTimeGivesTheSameBits) {
+  SessionSetup setup = setupFor(wallScene());
+  setup.device = [&] { return std::make_unique<LossyDevice>(setup); };
+  setup.log = folder_ / "lossy.h5";
+  runFast(setup, 1);
+  const SessionLog log(folder_ / "lossy.h5");
+  EXPECT_EQ(log.ticks(500, 1).at(0).reading.deviceTime, log.ticks(496, 1).at(0).reading.deviceTime);
+  EXPECT_GT(log.ticks(600, 1).at(0).reading.deviceTime, 5'000'000);
+  const Verification result = verify(log);
+  EXPECT_TRUE(result.identical()) << result.first->field << " at " << result.first->tick;
+}
+
 TEST_F(Resimulation, NamesTickAndFieldOfAFlippedBit) {
   std::vector<TickRecord> changed = ticks();
   double& value = changed[1234].desiredPosition.x();

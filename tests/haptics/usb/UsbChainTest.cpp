@@ -47,6 +47,34 @@ TEST_P(UsbChain, StopsInTheTickThatFindsTheBoardUnplugged) {
   EXPECT_EQ(stoppedAt, 401);
 }
 
+/// States are lost for five ticks in a row, and one at a time: the joint turns on as fast as before.
+TEST_P(UsbChain, RatesAreThoseOfTheArmWhereStatesAreMissing) {
+  const DeviceDescription description = loadDeviceDescription("vishard10");
+  BenchedUsbDevice device(description, GetParam());
+  device.start(1e-3);
+  const Measuring measure(description, 1e-3);
+  MeasuringState state;
+  DeviceCommand command;
+  double slowest = 1, fastest = 0;
+  for (int tick = 0; tick < 600; ++tick) {
+    if (tick == 5) command.enabled = true;
+    if (tick == 5) command.jointRates[0] = 0.3;
+    const int perTick = GetParam() == UsbSpeed::high ? 8 : 1;
+    if (tick % 100 == 50) device.port().faults.lose = 5 * perTick;
+    if (tick % 100 == 80) device.port().faults.lose = perTick;
+    const DeviceReading reading = device.read();
+    const double rate = measure({}, reading, state).rates[0];
+    if (tick > 300) {  // it is up to speed
+      slowest = std::min(slowest, rate);
+      fastest = std::max(fastest, rate);
+    }
+    device.write(command);
+  }
+  EXPECT_NEAR(slowest, 0.3, 0.02);  // the encoder's steps of 17 urad in a millisecond, behind the low-pass
+  EXPECT_NEAR(fastest, 0.3, 0.02);
+  device.stop();
+}
+
 INSTANTIATE_TEST_SUITE_P(Speeds, UsbChain, testing::Values(UsbSpeed::high, UsbSpeed::full),
                          [](const auto& speed) { return speed.param == UsbSpeed::high ? "HighSpeed" : "FullSpeed"; });
 
