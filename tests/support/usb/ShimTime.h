@@ -5,8 +5,8 @@
 namespace haptiv::test {
 
 /// Processor time that the bench takes on the threads of those who call it, in the functions of libc that it replaces:
-/// a kernel would take time there too, but not this. Counted only once `count` has been called, as the clock costs a
-/// system call itself. Thread: any.
+/// a kernel would take time there too, but not this. Counted only once `count` has been called, as each look at a
+/// thread's clock is a system call; what the looks themselves take is counted with the rest. Thread: any.
 class ShimTime {
  public:
   /// From now on.
