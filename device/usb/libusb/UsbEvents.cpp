@@ -57,23 +57,27 @@ void UsbEvents::hear(Hearing hearing) {
     if ((each.events & POLLOUT) != 0 && (each.fd < 0) != (hearing == Hearing::notTransfers)) each.fd = ~each.fd;
 }
 
-/// Whether there was nothing else.
+/// Whether it was woken.
 bool UsbEvents::handleOwn() {
   std::uint64_t times = 0;
   const bool woken = (descriptors_[0].revents & POLLIN) != 0 && read(wakeUp_, &times, sizeof times) > 0;
-  const bool rings = (descriptors_[1].revents & POLLIN) != 0 && read(alarm_, &times, sizeof times) > 0;
-  rang_ = rang_ || rings;
-  return !rings && woken;
+  if ((descriptors_[1].revents & POLLIN) != 0 && read(alarm_, &times, sizeof times) > 0) rang_ = true;
+  return woken;
+}
+
+void UsbEvents::handleTransfers() {
+  timeval none{};
+  libusb_handle_events_timeout_completed(context_.get(), &none, nullptr);
 }
 
 void UsbEvents::wait(std::chrono::milliseconds most, Hearing hearing) {
+  if (std::exchange(late_, false)) return handleTransfers();
   collect();
   hear(hearing);
   const int ready = poll(descriptors_.data(), descriptors_.size(), static_cast<int>(most.count()));
   if (ready <= 0) return;
-  if (handleOwn() && ready == 1 && hearing == Hearing::everything) return;
-  timeval none{};
-  libusb_handle_events_timeout_completed(context_.get(), &none, nullptr);
+  if (!handleOwn()) return handleTransfers();
+  late_ = ready > 1 || hearing == Hearing::notTransfers;
 }
 
 void UsbEvents::setAlarm(std::chrono::microseconds after) noexcept {

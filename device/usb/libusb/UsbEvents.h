@@ -26,7 +26,8 @@ class UsbEvents {
   UsbEvents(const UsbEvents&) = delete;
   UsbEvents& operator=(const UsbEvents&) = delete;
 
-  /// Sleeps until something happens, at most so long, and handles it. Thread: one.
+  /// Sleeps until something happens, at most so long, and handles it; a wake-up comes first, and what else there is in
+  /// the next wait. Thread: one.
   void wait(std::chrono::milliseconds most, Hearing hearing = Hearing::everything);
   /// Ends a wait once, so long from now; in place of an alarm that has not yet rung. Thread: the one that waits.
   void setAlarm(std::chrono::microseconds after) noexcept;
@@ -41,11 +42,13 @@ class UsbEvents {
   void collect();
   void hear(Hearing hearing);
   bool handleOwn();
+  void handleTransfers();
 
   const UsbContext& context_;
   int wakeUp_ = -1;  // eventfd
   int alarm_ = -1;   // timerfd
   bool rang_ = false;
+  bool late_ = false;                 // transfers may be back that a wake-up went before
   std::vector<pollfd> descriptors_;   // the two, and libusb's
   std::atomic<bool> changed_ = true;  // libusb's descriptors
 };

@@ -64,7 +64,6 @@ struct Shares {
 
 class ShareMeter {
  public:
-  ShareMeter() { ShimTime::count(); }
   Shares shares() const {
     const double passed = 1e-9 * static_cast<double>(monotonicNow() - start_);
     Shares taken;
@@ -142,6 +141,7 @@ void measure(double rate, UsbSpeed speed, double seconds) {
 int main(int argc, char** argv) {
   using haptiv::test::measure;
   using haptiv::test::UsbSpeed;
+  haptiv::test::ShimTime::count();
   const double seconds = argc > 1 ? std::atof(argv[1]) : 20;
   for (int left = argc > 2 ? std::atoi(argv[2]) : 1; left > 0; --left) {
     measure(1000, UsbSpeed::high, seconds);
