@@ -118,7 +118,12 @@ std::chrono::milliseconds UsbLink::patience() const {
 }
 
 void UsbLink::listen() {
-  stream_ = std::make_unique<UsbStream>(*handle_, endpoints_, client_);
+  try {
+    stream_ = std::make_unique<UsbStream>(*handle_, endpoints_, client_);
+  } catch (...) {
+    client_.lost();  // it has been prepared
+    throw;
+  }
   stream_->start();
 }
 
@@ -146,12 +151,20 @@ void UsbLink::reconnect() {
     connect();
     listen();
   } catch (const UsbFailure& failure) {
-    handle_.reset();
-    hotPlug_->mine = nullptr;
-    const bool mayYetBe = failure.trouble() != UsbTrouble::notFound && failure.trouble() != UsbTrouble::wrongDevice;
-    if (mayYetBe) tryAgain_ = std::chrono::steady_clock::now() + kLook;
-    tell(failure.what());
+    failed(failure.what(), failure.trouble() != UsbTrouble::notFound && failure.trouble() != UsbTrouble::wrongDevice);
+  } catch (const std::exception& error) {  // of the client, or for want of memory
+    failed("cannot use the " + kind_.name + " that was plugged in: " + error.what(), true);
+  } catch (...) {
+    failed("cannot use the " + kind_.name + " that was plugged in: switch it off and on", true);
   }
+}
+
+/// As before it was plugged in. `mayYetBe`: another attempt makes sense, though nothing is plugged in anew.
+void UsbLink::failed(const std::string& trouble, bool mayYetBe) {
+  handle_.reset();
+  hotPlug_->mine = nullptr;
+  if (mayYetBe) tryAgain_ = std::chrono::steady_clock::now() + kLook;
+  tell(trouble);
 }
 
 void UsbLink::betweenStreams(std::function<void(UsbHandle&)> work) {
@@ -179,7 +192,12 @@ void UsbLink::doWork() {
   if (!work.valid()) return;
   if (stream_) drain();
   work(handle_.get());
-  if (handle_) listen();
+  if (!handle_) return;
+  try {
+    listen();
+  } catch (const std::exception& error) {
+    failed("cannot go on with the " + kind_.name + ": " + error.what(), true);
+  }
 }
 
 void UsbLink::tell(const std::string& trouble) {

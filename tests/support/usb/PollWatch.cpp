@@ -53,6 +53,11 @@ bool PollWatch::quiet(const std::vector<int>& attended) const {
   });
 }
 
+void PollWatch::expect(std::thread::id thread) {
+  const std::lock_guard lock(mutex_);
+  of(thread);
+}
+
 void PollWatch::forget(std::thread::id thread) {
   const std::lock_guard lock(mutex_);
   std::erase_if(sleepers_, [&](const Sleeper& sleeper) { return sleeper.thread == thread; });

@@ -17,6 +17,8 @@ class PollWatch {
   /// Every thread that has ever slept in poll, but the caller, sleeps there now, with nothing to wake it; and each of
   /// these descriptors is waited for by one, or passed over by it for now (its complement).
   bool quiet(const std::vector<int>& attended) const;
+  /// A thread has been started that will sleep in poll: nothing is quiet before it does.
+  void expect(std::thread::id thread);
   /// The calling thread ends.
   void forget(std::thread::id thread);
 

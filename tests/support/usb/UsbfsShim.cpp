@@ -5,10 +5,12 @@
 
 #include <dlfcn.h>
 #include <poll.h>
+#include <pthread.h>
 #include <sys/timerfd.h>
 
 #include <cerrno>
 #include <cstdarg>
+#include <string_view>
 
 #include "tests/support/usb/ShimTime.h"
 #include "tests/support/usb/VirtualBus.h"
@@ -41,6 +43,12 @@ std::optional<int> askBus(int descriptor, unsigned long request, void* argument)
 int realSetTime(int timer, int flags, const itimerspec* value, itimerspec* before) {
   static const auto real = next<int (*)(int, int, const itimerspec*, itimerspec*)>("timerfd_settime");
   return real(timer, flags, value, before);
+}
+
+/// libusb's threads do nothing but wait for events; one that has just been started has missed none of them.
+bool isLibusb(const void* caller) {
+  Dl_info info{};
+  return dladdr(caller, &info) != 0 && std::string_view(info.dli_fname).find("libusb") != std::string_view::npos;
 }
 
 /// Tells the watch when its thread ends.
@@ -118,6 +126,15 @@ int timerfd_settime(int timer, int flags, const itimerspec* value, itimerspec* b
     return haptiv::test::realSetTime(timer, flags, value, before);
   constexpr itimerspec kNever{};
   return haptiv::test::realSetTime(timer, 0, &kNever, before);
+}
+
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*run)(void*), void* argument) noexcept {
+  static const auto real =
+      haptiv::test::next<int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)>("pthread_create");
+  const int error = real(thread, attributes, run, argument);
+  if (error == 0 && haptiv::test::isLibusb(__builtin_return_address(0)))
+    haptiv::test::pollWatch().expect(std::thread::id(*thread));
+  return error;
 }
 
 int poll(pollfd* descriptors, nfds_t count, int timeout) {
