@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
+
 #include "app/session/Resimulation.h"
 #include "app/session/SessionRecorder.h"
 #include "app/session/log/Hdf5Table.h"
@@ -241,21 +243,26 @@ TEST(SessionLogOfFormatOne, OpensWithDefaultsForWhatCameLaterAndIsNotResimulated
   EXPECT_THAT(messageOf([&] { verify(log); }), HasSubstr("format 1"));
 }
 
+void changeLog(const std::filesystem::path& path, const std::function<void(const hdf5::Handle&)>& change) {
+  const hdf5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  ASSERT_TRUE(file);
+  change(file);
+}
+
 TEST(SessionLogOfFormatTwo, HasNoDeviceTimeAndGivesTheSameBits) {
   const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "s.h5";
   SessionSetup setup = setupFor(wallScene(), {{0, Vector3::Zero()}, {0.5, Vector3(0.1, 0.02, 0)}});
-  setup.log = folder / "s.h5";
+  setup.log = path;
   runFast(setup, 1);
-  {
-    const hdf5::Handle file(H5Fopen((folder / "s.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
-    ASSERT_TRUE(file);
+  changeLog(path, [&](const hdf5::Handle& file) {
     for (const TickGroup& group : tickGroups())
       if (group.name == "time")
-        dropColumns(file, folder / "s.h5", group, [](const std::string& name) { return name == "device_time_us"; });
-    EXPECT_THAT(messageOf([&] { SessionLog log(folder / "s.h5"); }), HasSubstr("other columns"));
-    setFormat(file, 2);
-  }
-  const SessionLog log(folder / "s.h5");
+        dropColumns(file, path, group, [](const std::string& name) { return name == "device_time_us"; });
+  });
+  EXPECT_THAT(messageOf([&] { SessionLog log(path); }), HasSubstr("other columns"));
+  changeLog(path, [](const hdf5::Handle& file) { setFormat(file, 2); });
+  const SessionLog log(path);
   EXPECT_EQ(log.formatVersion(), 2u);
   EXPECT_EQ(log.ticks(999, 1).at(0).reading.deviceTime, 0);
   EXPECT_TRUE(verify(log).identical());

@@ -20,7 +20,7 @@ struct StatePace {
 ///
 /// @param period  of the servo [s]
 inline StatePace statePace(double period, FrameForm form) noexcept {
-  constexpr double kBefore = 80;     // [us]
+  constexpr double kBefore = 110;    // [us]
   constexpr double kLeast = 250;     // [us]: for less it is not worth it
   constexpr double kLongest = 3000;  // [us]; then each is taken as it comes until the next command
   const double interval = form == FrameForm::full ? 125 : 1000;  // [us]

@@ -109,11 +109,12 @@ void measure(double rate, UsbSpeed speed, double seconds) {
   loop.start();
   const ShareMeter meter;
   const std::int64_t start = monotonicNow();
-  std::uint64_t ticks = 0;
+  std::uint64_t ticks = 0, stale = 0;
   TickRecord last;
   while (monotonicNow() - start < static_cast<std::int64_t>(1e9 * seconds)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     seams.log.drain([&](const TickRecord& record) {
+      if (ticks > 0 && record.reading.deviceTime == last.reading.deviceTime) ++stale;
       last = record;
       ++ticks;
     });
@@ -124,13 +125,15 @@ void measure(double rate, UsbSpeed speed, double seconds) {
   const TimeDistribution latencies = device.latencies();
   const usb::LinkFigures figures = device.figures();
   std::printf(
-      "%5.0f Hz %s speed: %llu ticks, %u missed; command to echo: median %.0f us, p99 %.0f us; "
+      "%5.0f Hz %s speed: %llu ticks, %u missed, %llu without a new state; command to echo: median %.0f us, p99 %.0f "
+      "us; "
       "%.0f states/s, %llu commands, %llu skipped, %llu missing; depth %.2f mm, faults: %s\n",
       rate, speed == UsbSpeed::high ? "high" : "full", static_cast<unsigned long long>(ticks), last.missedTicks,
-      1e-3 * static_cast<double>(latencies.quantile(0.5)), 1e-3 * static_cast<double>(latencies.quantile(0.99)),
-      static_cast<double>(figures.states) / passed, static_cast<unsigned long long>(figures.sent),
-      static_cast<unsigned long long>(figures.skipped), static_cast<unsigned long long>(figures.missing),
-      1e3 * wall.depthOf(last.position), faultList(last.faults).c_str());
+      static_cast<unsigned long long>(stale), 1e-3 * static_cast<double>(latencies.quantile(0.5)),
+      1e-3 * static_cast<double>(latencies.quantile(0.99)), static_cast<double>(figures.states) / passed,
+      static_cast<unsigned long long>(figures.sent), static_cast<unsigned long long>(figures.skipped),
+      static_cast<unsigned long long>(figures.missing), 1e3 * wall.depthOf(last.position),
+      faultList(last.faults).c_str());
   print(shares);
   std::fflush(stdout);
 }
