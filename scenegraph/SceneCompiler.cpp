@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "haptics/scene/SameShapes.h"
 #include "scenegraph/compiling/SceneCollector.h"
 
 namespace haptiv {
@@ -17,8 +16,7 @@ std::size_t drawnTriangles(SoNode* root) {
 
 CompiledScene SceneCompiler::compile(SoNode* root, const std::unordered_map<const SoNode*, int>& lineOf,
                                      const std::string& file) {
-  ids_.begin();
-  SceneCollector collected(ids_, meshes_, progress_);
+  SceneCollector collected(memory_, progress_);
   collected.collect(root);
 
   CompiledScene compiled;
@@ -26,16 +24,18 @@ CompiledScene SceneCompiler::compile(SoNode* root, const std::unordered_map<cons
   locate(compiled.diagnostics, lineOf, file);
 
   ++version_;
-  if (!hasErrors(compiled.diagnostics)) {
-    collected.scene.version = version_;
-    if (before_) {
-      computeBounds(collected.scene, *before_);
-    } else {
-      computeBounds(collected.scene);
-    }
-    compiled.scene = before_ = std::make_shared<const HapticScene>(std::move(collected.scene));
-    compiled.origins = std::move(collected.origins);
+  if (hasErrors(compiled.diagnostics)) {
+    memory_.separators.forget();
+    return compiled;
   }
+  collected.scene.version = version_;
+  if (memory_.scene) {
+    memory_.indexer.index(collected.scene, *memory_.scene, collected.keptWalls, collected.keptZones);
+  } else {
+    memory_.indexer.index(collected.scene);
+  }
+  compiled.scene = memory_.scene = std::make_shared<const HapticScene>(std::move(collected.scene));
+  compiled.origins = std::move(collected.origins);
   return compiled;
 }
 

@@ -7,9 +7,8 @@
 #include "haptics/scene/HapticScene.h"
 #include "scenegraph/Diagnostic.h"
 #include "scenegraph/SceneFile.h"
-#include "scenegraph/compiling/PathIds.h"
+#include "scenegraph/compiling/SceneMemory.h"
 #include "scenegraph/compiling/ShapeOrigin.h"
-#include "scenegraph/compiling/meshes/MeshCache.h"
 
 namespace haptiv {
 
@@ -27,8 +26,8 @@ using CompileProgress = std::function<void(std::size_t shapes, std::size_t trian
 std::size_t drawnTriangles(SoNode* root);
 
 /// Turns a scene graph into what the servo feels. Keep one for the life of a document: it remembers which id a shape
-/// had, so that the tool's contact with a wall survives an edit, and keeps the meshes of shapes that an edit has not
-/// touched. Thread: GUI.
+/// had, so that the tool's contact with a wall survives an edit, and what an edit has not touched is not read and not
+/// indexed anew. What comes out is the same as when everything is. Thread: GUI.
 class SceneCompiler {
  public:
   /// @param lineOf, file  for diagnostics only; nodes made in the editor are not in it
@@ -42,10 +41,8 @@ class SceneCompiler {
   void setProgress(CompileProgress progress) { progress_ = std::move(progress); }
 
  private:
-  PathIds ids_;
-  MeshCache meshes_;
+  SceneMemory memory_;
   CompileProgress progress_;
-  std::shared_ptr<const HapticScene> before_;  ///< the newest that was valid
   std::uint32_t version_ = 0;
 };
 

@@ -7,6 +7,7 @@
 
 #include "scenegraph/nodes/HapticNodes.h"
 #include "scenegraph/reading/SceneReader.h"
+#include "scenegraph/reading/coin/NurbsContext.h"
 #include "scenegraph/reading/coin/SceneCameras.h"
 #include "scenegraph/reading/files/SceneBytes.h"
 #include "scenegraph/reading/files/SilentNodes.h"
@@ -55,6 +56,7 @@ void initSceneGraph() {
   silenceFileNodes();
   initHapticNodes();
   quietSceneCameras();
+  cutNurbsWithoutDisplay();
 }
 
 SceneFile readScene(const fs::path& path, const DecodePicture& decode) {

@@ -1,4 +1,6 @@
-#include <Inventor/actions/SoSearchAction.h>
+#include <Inventor/nodes/SoCube.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoTranslation.h>
 
 #include <stdexcept>
 
@@ -54,34 +56,87 @@ void benchFirst(BenchRun& run, std::uint32_t walls) {
   run.add(result);
 }
 
-/// A field changes, and the scene is compiled again: what an edit costs between two frames.
-void benchEdit(BenchRun& run, std::uint32_t walls) {
-  run.tell("compile: edits among " + std::to_string(walls) + " walls");
-  const SceneFile file = read(sceneText(WallFloor(walls, 1).scene()));
-  SoSearchAction search;
-  search.setType(SoHapticSurface::getClassTypeId());
-  search.setInterest(SoSearchAction::LAST);
-  search.apply(file.root.get());
-  auto* surface = static_cast<SoHapticSurface*>(search.getPath()->getTail());
-  SceneCompiler compiler;
-  std::shared_ptr<const HapticScene> scene = compiled(compiler, file);
-  CallTimes edits(kEdits);
-  for (int i = 0; i < kEdits; ++i) {
-    surface->stiffness = 1000.0F + static_cast<float>(i);
-    edits.time([&] {
-      scene = compiled(compiler, file);  // the one before is destroyed here too
-      return scene.get();
-    });
+/// The floor's walls are Separators of a property, a place and a Cube, after device and tool.
+class EditedWalls {
+ public:
+  explicit EditedWalls(std::uint32_t walls) : file_(read(sceneText(WallFloor(walls, 1).scene()))), walls_(walls) {}
+
+  void stiffen(int number) {
+    static_cast<SoHapticSurface*>(wall(number)->getChild(0))->stiffness = 1000.0F + static_cast<float>(number);
   }
-  edits.endPass();
-  run.add(resultOf("compile/edit", walls, edits));
+  void move(int number) {
+    auto* place = static_cast<SoTranslation*>(wall(number)->getChild(1));
+    place->translation = place->translation.getValue() + SbVec3f(0.003F, 0, 0.001F);
+  }
+  void resize(int number) {
+    auto* cube = static_cast<SoCube*>(wall(number)->getChild(2));
+    cube->width = 0.9F * cube->width.getValue();
+  }
+  void remove(int number) {
+    taken_ = NodeRef<SoSeparator>(wall(number));
+    file_.root->removeChild(at(number));
+  }
+  void putBack(int number) { file_.root->insertChild(taken_.get(), at(number)); }
+
+  const SceneFile& file() const { return file_; }
+
+ private:
+  int at(int number) const { return 2 + static_cast<int>((7919U * static_cast<std::uint32_t>(number)) % (walls_ - 8)); }
+  SoSeparator* wall(int number) { return static_cast<SoSeparator*>(file_.root->getChild(at(number))); }
+
+  SceneFile file_;
+  std::uint32_t walls_;
+  NodeRef<SoSeparator> taken_;
+};
+
+/// Something of a wall changes, and the scene is compiled again: what an edit costs between two frames.
+void benchEditsAmong(BenchRun& run, std::uint32_t walls) {
+  run.tell("compile: edits among " + std::to_string(walls) + " walls");
+  EditedWalls edited(walls);
+  SceneCompiler compiler;
+  std::shared_ptr<const HapticScene> scene = compiled(compiler, edited.file());
+  const auto bench = [&](const std::string& name, auto&& edit) {
+    CallTimes times(kEdits);
+    for (int i = 0; i < kEdits; ++i) {
+      edit(i, [&] {
+        times.time([&] {
+          scene = compiled(compiler, edited.file());  // the one before is destroyed here too
+          return scene.get();
+        });
+      });
+    }
+    times.endPass();
+    run.add(resultOf(name, walls, times));
+  };
+  const auto after = [&](auto change) {
+    return [&edited, change](int i, auto&& compile) {
+      (edited.*change)(i);
+      compile();
+    };
+  };
+  bench("compile/edit", after(&EditedWalls::stiffen));
+  bench("compile/edit/move", after(&EditedWalls::move));
+  bench("compile/edit/size", after(&EditedWalls::resize));
+  bench("compile/edit/remove", [&](int i, auto&& compile) {
+    edited.remove(i);
+    compile();
+    edited.putBack(i);
+    scene = compiled(compiler, edited.file());
+  });
+  bench("compile/edit/add", [&](int i, auto&& compile) {
+    edited.remove(i);
+    scene = compiled(compiler, edited.file());
+    edited.putBack(i);
+    compile();
+  });
 }
 
 }  // namespace
 
 void benchCompile(BenchRun& run) {
   benchFirst(run, 100000);
-  benchEdit(run, 10000);
+  benchEditsAmong(run, 10000);
+  benchEditsAmong(run, 100000);
 }
 
 }  // namespace haptiv

@@ -62,6 +62,11 @@ std::string CalibrationGuide::instruction() const {
   return {};
 }
 
+void CalibrationGuide::setLoads(std::vector<Vector6> loads) {
+  calibration_.forgetLoads();
+  loads_ = std::move(loads);
+}
+
 Vector6 CalibrationGuide::load() const {
   return step_ == GuideStep::loads ? loads_[calibration_.loads()] : Vector6(Vector6::Zero());
 }
@@ -73,7 +78,13 @@ void CalibrationGuide::next() {
 
 void CalibrationGuide::skip() {
   calibration_.forgetLoads();
-  if (step_ != GuideStep::finish) step_ = static_cast<GuideStep>(static_cast<int>(step_) + 1);
+  if (step_ == GuideStep::finish) return;
+  do step_ = static_cast<GuideStep>(static_cast<int>(step_) + 1);
+  while (!has(step_));
+}
+
+bool CalibrationGuide::has(GuideStep step) const noexcept {
+  return before_.type != DeviceType::impedance || (step != GuideStep::bias && step != GuideStep::loads);
 }
 
 void CalibrationGuide::restart() {

@@ -19,6 +19,10 @@ class CalibrationGuide {
   /// In words: what the step is called, and what the operator has to do.
   std::string title() const;
   std::string instruction() const;
+  /// What is to hang on the handle, one after the other; those that were measured are to be measured anew.
+  const std::vector<Vector6>& loads() const noexcept { return loads_; }
+  /// @param loads  at least one
+  void setLoads(std::vector<Vector6> loads);
   /// What is to hang on the handle now, in T [N], [N m]; zeros where nothing is.
   Vector6 load() const;
 
@@ -32,6 +36,8 @@ class CalibrationGuide {
   /// The first step again; what was found stays until it is found anew.
   void restart();
 
+  /// Whether this device has that step: one of the impedance type has no force sensor.
+  bool has(GuideStep step) const noexcept;
   bool isDone(GuideStep step) const noexcept { return done_[static_cast<std::size_t>(step)]; }
   const Calibration& calibration() const noexcept { return calibration_; }
   /// What has changed, a line each; "nothing" where nothing has.

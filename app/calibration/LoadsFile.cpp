@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -39,6 +41,7 @@ KnownLoad loadIn(const std::string& line, std::size_t columns, const CsvPlace& p
 
 std::vector<KnownLoad> readLoadsFile(const std::filesystem::path& path) {
   std::ifstream file(path);
+  if (!file) throw std::runtime_error(path.string() + ": cannot be read: check the path and its permissions");
   CsvPlace place{path, 0};
   std::vector<KnownLoad> loads;
   std::size_t columns = 0;
@@ -56,6 +59,15 @@ std::vector<KnownLoad> readLoadsFile(const std::filesystem::path& path) {
   if (loads.empty())
     throw std::runtime_error(path.string() + ": no load in it; give the header fx,fy,fz,tx,ty,tz and a line a load");
   return loads;
+}
+
+std::string loadsText(const std::vector<Vector6>& loads) {
+  std::ostringstream text;
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << "fx,fy,fz,tx,ty,tz\n";
+  for (const Vector6& load : loads)
+    for (int axis = 0; axis < 6; ++axis) text << load[axis] << (axis < 5 ? "," : "\n");
+  return text.str();
 }
 
 }  // namespace haptiv

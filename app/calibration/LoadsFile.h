@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "device/types.h"
@@ -18,5 +19,8 @@ struct KnownLoad {
 /// Throws std::runtime_error "FILE:LINE: what, and what to do" for other columns, cells without a finite number, more
 /// than 1000 loads and none.
 std::vector<KnownLoad> readLoadsFile(const std::filesystem::path& path);
+
+/// The text of such a file, without counts.
+std::string loadsText(const std::vector<Vector6>& loads);
 
 }  // namespace haptiv

@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 
+#include "app/commands/ExitCode.h"
+
 namespace haptiv {
 namespace {
 
@@ -58,7 +60,15 @@ Command Command::add(const char* name, const char* help, const Action& action) c
 
 Command Command::addGroup(const char* name, const char* help) const {
   CLI::App* below = app_->add_subcommand(name, help);
-  below->require_subcommand(1);
+  below->require_subcommand(0, 1);  // what is none of them is named then
+  below->callback([below, chosen = chosen_] {
+    if (!below->get_subcommands().empty()) return;
+    *chosen = [below]() -> int {
+      std::string all;
+      for (const CLI::App* each : below->get_subcommands({})) all += (all.empty() ? "" : ", ") + each->get_name();
+      throw CommandFailure(kWrongUsage, below->get_name() + ": give one of its commands: " + all);
+    };
+  });
   return {*below, *chosen_};
 }
 

@@ -15,7 +15,7 @@ constexpr int kWidth = 1280;
 constexpr int kHeight = 720;
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
-  throw CommandFailure(kCouldNot, path + ": the picture cannot be written: " + why);
+  throw CommandFailure(kCouldNot, path + ": cannot be written: " + why);
 }
 
 }  // namespace

@@ -5,18 +5,21 @@
 #include <memory>
 #include <optional>
 
+#include "app/commands/DeviceName.h"
 #include "app/commands/ExitCode.h"
 #include "app/commands/LiveRun.h"
 #include "app/commands/LoadedScene.h"
 #include "app/commands/Picture.h"
 #include "app/commands/RunPeople.h"
 #include "app/commands/SessionReport.h"
-#include "app/session/UsbBoards.h"
+#include "app/session/Falcons.h"
 #include "app/session/FlightRecorder.h"
 #include "app/session/HandFile.h"
 #include "app/session/SceneControl.h"
 #include "app/session/SceneResolution.h"
 #include "app/session/Session.h"
+#include "app/session/SpaceMouseChoice.h"
+#include "app/session/UsbBoards.h"
 #include "device/control/ControlNames.h"
 #include "device/redundancy/ResolutionNames.h"
 
@@ -52,16 +55,25 @@ struct RunOptions {
   bool json = false;
 };
 
+bool isSpaceMouse(const RunOptions& options) {
+  return spaceMouseNamed(options.hand).has_value();
+}
+
 void refuseWhatIsNotThere(const RunOptions& options) {
   if (options.device != "sim" && !isBoard(options.device) && !isFalcon(options.device))
-    throw CommandFailure(
-        kWrongUsage, "--device " + options.device + ": there is no such device; use sim, usb, usb:SERIAL or falcon");
+    throw CommandFailure(kWrongUsage, "--device " + options.device +
+                                          ": there is no such device; use sim, usb, usb:WHICH, falcon or falcon:WHICH, "
+                                          "as haptiv device list names them");
+  refuseWithoutName(options.device);
+  if (isSpaceMouse(options)) refuseWithoutName(options.hand);
+  if (!options.firmware.empty() && !isFalcon(options.device))
+    throw CommandFailure(kWrongUsage, "--firmware: is a Falcon's; give --device falcon too, or leave it out");
 }
 
 // A person moves it, and time is that person's.
 void refuseWhatNoPersonCanDo(const RunOptions& options) {
   const bool real = isFalcon(options.device) || isBoard(options.device);
-  if (options.fast && (real || isSpaceMouse(options.hand)))
+  if (options.fast && (real || isSpaceMouse(options)))
     throw CommandFailure(kWrongUsage, "--fast: a person cannot keep up with it; leave --fast out");
   if (real && options.hand != "rest")
     throw CommandFailure(kWrongUsage, "--hand " + options.hand +
@@ -96,8 +108,8 @@ SessionSetup setUp(const RunOptions& options, const LoadedScene& loaded) {
   setup.spin = std::chrono::nanoseconds(std::llround(1000 * options.spin));
   if (isBoard(options.device)) setup.device = boardOf(options.device, loaded.device);
   if (isFalcon(options.device)) setup.device = falconOf(options.device, options.firmware, loaded.device);
-  setup.liveHand = isSpaceMouse(options.hand);
-  if (options.hand != "rest" && !isSpaceMouse(options.hand)) {
+  setup.liveHand = isSpaceMouse(options);
+  if (options.hand != "rest" && !isSpaceMouse(options)) {
     requireReadable(options.hand);
     setup.hand = readHandFile(options.hand);
   }
@@ -112,7 +124,7 @@ double lengthOf(const RunOptions& options, const SessionSetup& setup) {
       throw CommandFailure(kWrongUsage, "--seconds: shorter than one tick; give more");
     return *options.seconds;
   }
-  if (isFalcon(options.device) || isSpaceMouse(options.hand)) return kSecondsOfAPerson;
+  if (isFalcon(options.device) || isBoard(options.device) || isSpaceMouse(options)) return kSecondsOfAPerson;
   return setup.hand.empty() ? kSecondsAtRest : setup.hand.back().time + kSecondsToSettle;
 }
 
@@ -180,16 +192,20 @@ void addRunCommand(const Command& program) {
   const auto options = std::make_shared<RunOptions>();
   const Command run = program.add("run", "Run a session without a window", [options] { return runSession(*options); });
   run.path("SCENE", options->scene, "Scene to be felt (.iv)").required();
-  run.text("--device", options->device,
-           "The arm: sim; usb (usb:SERIAL), an interface board; falcon (falcon:SERIAL), a Novint Falcon")
+  run.text(
+         "--device", options->device,
+         "The arm: sim; usb (usb:WHICH), an interface board; falcon (falcon:WHICH), a Novint Falcon; which there are, "
+         "haptiv device list tells")
       .type("NAME")
       .showDefault();
   run.path("--firmware", options->firmware,
            "The Falcon's firmware, which its driver package holds; without this, ~/.local/share/haptiv/falcon.bin")
       .type("FILE");
-  run.path("--hand", options->hand,
-           "Where the hand wants the ball, over time: a CSV file with the columns t,x,y,z in s and m; rest: nobody "
-           "holds the ball; spacemouse or spacemouse:position: a SpaceMouse, whose cap says how fast or how far")
+  run.path(
+         "--hand", options->hand,
+         "Where the hand wants the ball, over time: a CSV file with the columns t,x,y,z in s and m; rest: nobody "
+         "holds the ball; spacemouse or spacemouse:position: a SpaceMouse, whose cap says how fast or how far; :WHICH "
+         "behind it where there are several")
       .type("FILE.csv")
       .showDefault();
   run.number("--seconds", options->seconds, kLengths,

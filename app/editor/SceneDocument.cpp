@@ -35,23 +35,28 @@ struct SceneDocument::Parts {
   Selection selection;
   QUndoStack undoStack;
   bool isChanged = false;    ///< sceneChanged is still to be emitted
-  bool isToCompile = false;  ///< the graph is newer than its compilation
+  bool isToCompile = false;  ///< the graph is newer than its compilation ...
+  bool isToJudge = false;    ///< ... and this newer than its judgement
+  bool isValid = false;      ///< the last compilation has a scene of its own
   bool isFlushPending = false;
 
   void compile() {
     CompiledScene next = compiler.compile(file);
-    Diagnostics judgement;
-    if (next.scene) {
-      judgement = judge(next);
-    } else {
-      next.scene = compiled.scene;
-    }
+    isValid = next.scene != nullptr;
+    if (!isValid) next.scene = compiled.scene;
     compiled = std::move(next);
+    isToCompile = false;
+    isToJudge = true;
+  }
+
+  void judge() {
+    if (!isToJudge) return;
+    const Diagnostics judgement = isValid ? judge(compiled) : Diagnostics();
     diagnostics = file.diagnostics;
     diagnostics.insert(diagnostics.end(), compiled.diagnostics.begin(), compiled.diagnostics.end());
     diagnostics.insert(diagnostics.end(), judgement.begin(), judgement.end());
     sortByPlace(diagnostics);
-    isToCompile = false;
+    isToJudge = false;
   }
 
   // Called while a handle is dragged: the description is read only when it is another.
@@ -120,6 +125,7 @@ void SceneDocument::replaceBy(SceneFile file) {
   parts_->compiled = {};
   parts_->deviceName.clear();  // the file of the same name may have changed
   parts_->compile();
+  parts_->judge();
   emit sceneReplaced();
   emit selectionChanged();
   emit modifiedChanged(false);
@@ -172,6 +178,7 @@ const CompiledScene& SceneDocument::compiled() const {
 const CompiledScene& SceneDocument::compileNow() {
   releaseHandles();
   if (parts_->isToCompile) parts_->compile();
+  parts_->judge();
   return parts_->compiled;
 }
 
@@ -211,11 +218,13 @@ void SceneDocument::flush() {
   parts_->isFlushPending = false;
   if (!parts_->isChanged) return;
   parts_->isChanged = false;
+  if (parts_->isToCompile) parts_->compile();
+  emit sceneReady();
+  parts_->judge();
   if (!parts_->selection.isEmpty() && !selection()) {
     parts_->selection.set(nullptr);
     emit selectionChanged();
   }
-  if (parts_->isToCompile) parts_->compile();
   emit sceneChanged();
   emit sceneCompiled();
   emit diagnosticsChanged();

@@ -61,6 +61,9 @@ class SceneDocument : public QObject {
   void sceneReplaced();
   /// Handles must be out of the graph when this returns; they may come back in the next turn of the event loop.
   void handlesInTheWay();
+  /// A new compilation is there to be felt, before anything else is done about the change: it has not been judged, and
+  /// nothing was shown of it; at most once per turn of the event loop.
+  void sceneReady();
   /// The graph was changed, by a command or under a handle; at most once per turn of the event loop.
   void sceneChanged();
   /// A new compilation is there; at most once per turn of the event loop, after sceneChanged.

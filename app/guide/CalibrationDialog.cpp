@@ -1,24 +1,14 @@
 #include "app/guide/CalibrationDialog.h"
 
-#include <QCheckBox>
 #include <QDir>
-#include <QElapsedTimer>
-#include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QLineEdit>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QSaveFile>
-#include <QTimer>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <optional>
 
-#include "app/guide/LiveReadings.h"
+#include "app/guide/CalibrationDialogParts.h"
+#include "app/guide/LoadsDialog.h"
 
 namespace haptiv {
 namespace {
@@ -27,7 +17,6 @@ constexpr int kTick = 1;         // [ms], BrakedDevice::kPeriod
 constexpr int kDisplay = 33;     // [ticks] between two pictures of the readings
 constexpr int kSettling = 50;    // [ticks] before a measurement begins: a simulated weight comes to rest
 constexpr int kMostAtOnce = 20;  // ticks of one event
-constexpr double kUsualTime = 2;
 constexpr GuideStep kSteps[] = {GuideStep::pose, GuideStep::bias, GuideStep::loads, GuideStep::finish};
 
 /// Where the description goes unless the user says otherwise: its own file, or one beside the user's own.
@@ -37,27 +26,6 @@ QString proposedPath(const QString& source, const QString& name) {
 }
 
 }  // namespace
-
-struct CalibrationDialog::Parts {
-  explicit Parts(const DeviceDescription& description) : guide(description) {}
-
-  CalibrationGuide guide;
-  QString source;
-  std::optional<BrakedDevice> device;
-  std::optional<QuietMeasurement> measurement;
-  double seconds = kUsualTime;
-  int ticks = 0;
-  int settling = 0;
-
-  QTimer timer;
-  QElapsedTimer sinceTick;
-  QLabel *steps, *title, *instruction, *result;
-  LiveReadings* readings;
-  QCheckBox* anew;
-  QProgressBar* progress;
-  QLineEdit* path;
-  QPushButton *browse, *restart, *skip, *measure, *save, *close;
-};
 
 CalibrationDialog::CalibrationDialog(const DeviceDescription& description, const QString& source,
                                      const DeviceOpener& open, QWidget* parent)
@@ -77,95 +45,6 @@ CalibrationDialog::~CalibrationDialog() = default;
 
 void CalibrationDialog::setMeasuringTime(double seconds) {
   parts_->seconds = seconds;
-}
-
-void CalibrationDialog::build() {
-  Parts& p = *parts_;
-  const auto label = [this](const char* name) {
-    auto* made = new QLabel(this);
-    made->setObjectName(name);
-    made->setWordWrap(true);
-    return made;
-  };
-  const auto button = [this](const char* name, const QString& words) {
-    auto* made = new QPushButton(words, this);
-    made->setObjectName(name);
-    made->setAutoDefault(false);
-    return made;
-  };
-  p.steps = label("guideSteps");
-  p.steps->setTextFormat(Qt::RichText);
-  p.title = label("guideTitle");
-  QFont large = p.title->font();
-  large.setPointSizeF(1.4 * large.pointSizeF());
-  large.setBold(true);
-  p.title->setFont(large);
-  p.instruction = label("guideInstruction");
-  p.result = label("guideResult");
-  // Two lines of text have their place all the time: what is below does not jump.
-  p.instruction->setMinimumHeight(2 * fontMetrics().lineSpacing() + 4);
-  p.instruction->setAlignment(Qt::AlignTop);
-  p.result->setMinimumHeight(3 * fontMetrics().lineSpacing() + 4);
-  p.result->setAlignment(Qt::AlignTop);
-  p.readings = new LiveReadings(this);
-  p.anew = new QCheckBox(tr("No zero was known, or the encoders have lost power: take any counts"), this);
-  p.anew->setObjectName("guideAnew");
-  p.progress = new QProgressBar(this);
-  p.progress->setObjectName("guideProgress");
-  p.progress->setRange(0, 1000);
-  p.path = new QLineEdit(this);
-  p.path->setObjectName("guidePath");
-  p.browse = button("guideBrowse", tr("Browse..."));
-  p.restart = button("guideRestart", tr("Begin anew"));
-  p.skip = button("guideSkip", tr("Skip"));
-  p.measure = button("guideMeasure", tr("Measure"));
-  p.save = button("guideSave", tr("Save"));
-  p.close = button("guideClose", tr("Close"));
-
-  auto* file = new QHBoxLayout;
-  file->addWidget(p.path);
-  file->addWidget(p.browse);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(p.restart);
-  buttons->addStretch();
-  for (QPushButton* each : {p.skip, p.measure, p.save, p.close}) buttons->addWidget(each);
-  auto* page = new QVBoxLayout;
-  page->addWidget(p.title);
-  page->addWidget(p.instruction);
-  page->addWidget(p.anew);
-  page->addLayout(file);
-  page->addWidget(p.readings, 1);
-  page->addWidget(p.progress);
-  page->addWidget(p.result);
-  page->addLayout(buttons);
-  p.steps->setMinimumWidth(160);
-  p.steps->setAlignment(Qt::AlignTop);
-  auto* all = new QHBoxLayout(this);
-  all->addWidget(p.steps);
-  all->addLayout(page, 1);
-}
-
-void CalibrationDialog::connectParts() {
-  Parts& p = *parts_;
-  connect(p.measure, &QPushButton::clicked, this, &CalibrationDialog::startMeasuring);
-  connect(p.skip, &QPushButton::clicked, this, [this] {
-    parts_->guide.skip();
-    tell({}, false);
-    showStep();
-  });
-  connect(p.restart, &QPushButton::clicked, this, [this] {
-    parts_->guide.restart();
-    tell({}, false);
-    showStep();
-  });
-  connect(p.browse, &QPushButton::clicked, this, [this] {
-    const QString chosen = QFileDialog::getSaveFileName(this, tr("Save the device description"), parts_->path->text(),
-                                                        tr("TOML (*.toml)"));
-    if (!chosen.isEmpty()) parts_->path->setText(chosen);
-  });
-  connect(p.save, &QPushButton::clicked, this, &CalibrationDialog::save);
-  connect(p.close, &QPushButton::clicked, this, &QDialog::reject);
-  connect(&p.timer, &QTimer::timeout, this, &CalibrationDialog::catchUp);
 }
 
 void CalibrationDialog::openDevice(const DeviceOpener& open) {
@@ -240,6 +119,7 @@ void CalibrationDialog::tell(const QString& what, bool refused) {
 void CalibrationDialog::showSteps() {
   QString rows;
   for (const GuideStep step : kSteps) {
+    if (!parts_->guide.has(step)) continue;
     const bool here = step == parts_->guide.step();
     const QString mark = parts_->guide.isDone(step) ? "&#10003;" : here ? "&#9654;" : "&#9675;";
     const QString name = tr(nameOf(step));
@@ -261,11 +141,24 @@ void CalibrationDialog::showStep() {
   for (QWidget* each :
        {static_cast<QWidget*>(p.measure), static_cast<QWidget*>(p.skip), static_cast<QWidget*>(p.progress)})
     each->setVisible(!atEnd);
-  for (QPushButton* each : {p.measure, p.skip, p.restart}) each->setEnabled(!measuring);
+  p.loads->setVisible(step == GuideStep::loads);
+  for (QPushButton* each : {p.measure, p.loads, p.skip, p.restart}) each->setEnabled(!measuring);
   p.anew->setEnabled(!measuring);
   p.save->setEnabled(p.guide.calibration().isChanged());
   if (!measuring) p.progress->setValue(0);
   if (atEnd && p.result->text().isEmpty()) tell(QString::fromStdString(p.guide.summary()), false);
+}
+
+void CalibrationDialog::chooseLoads() {
+  Parts& p = *parts_;
+  auto* dialog = new LoadsDialog(p.guide.calibration().description().sensor, p.guide.loads(), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    parts_->guide.setLoads(dialog->loads());
+    tell({}, false);
+    showStep();
+  });
+  dialog->open();
 }
 
 void CalibrationDialog::save() {

@@ -40,6 +40,7 @@ class CalibrationDialog : public QDialog {
   void showStep();
   void showSteps();
   void tell(const QString& what, bool refused);
+  void chooseLoads();
   void save();
 
   struct Parts;

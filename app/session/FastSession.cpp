@@ -23,7 +23,7 @@ SessionSummary runFast(const SessionSetup& setup, double seconds) {
   std::unique_ptr<SessionLogWriter> log;
   if (setup.log) {
     log = std::make_unique<SessionLogWriter>(*setup.log, headerOf(setup));
-    log->addScene(*setup.scene, setup.sceneText);
+    log->addScene(*setup.scene, setup.sceneText.get());
   }
   SessionSummary summary;
   std::vector<TickRecord> block;

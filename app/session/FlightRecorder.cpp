@@ -32,7 +32,7 @@ FlightRecorder::FlightRecorder(SessionHeader header, std::filesystem::path folde
       stem_(std::move(stem)),
       capacity_(static_cast<std::size_t>(std::max(1.0, std::round(kLength * header_.rate)))) {}
 
-void FlightRecorder::addScene(std::shared_ptr<const HapticScene> scene, std::string text) {
+void FlightRecorder::addScene(std::shared_ptr<const HapticScene> scene, SharedText text) {
   scenes_.push_back({std::move(scene), std::move(text)});
 }
 
@@ -65,7 +65,7 @@ void FlightRecorder::write(const std::string& fault) {
   header.fault = fault;
   const std::filesystem::path path = freshPath(fault);
   SessionLogWriter writer(path, header);
-  for (const Scene& each : scenes_) writer.addScene(*each.scene, each.text);
+  for (const Scene& each : scenes_) writer.addScene(*each.scene, each.text.get());
   std::rotate(ticks_.begin(), ticks_.begin() + static_cast<std::ptrdiff_t>(next_), ticks_.end());
   next_ = 0;
   writer.append(ticks_);

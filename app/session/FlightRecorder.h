@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/SharedText.h"
 #include "app/session/log/SessionLogWriter.h"
 #include "haptics/scene/HapticScene.h"
 #include "haptics/tick/TickRecord.h"
@@ -26,7 +27,7 @@ class FlightRecorder {
   FlightRecorder(SessionHeader header, std::filesystem::path folder, std::string stem);
 
   /// A scene that ticks with its version are going to name.
-  void addScene(std::shared_ptr<const HapticScene> scene, std::string text);
+  void addScene(std::shared_ptr<const HapticScene> scene, SharedText text);
   /// The next tick. Throws std::runtime_error, file and what to do named, where a fault cannot be written.
   void take(const TickRecord& record);
   /// What has been written so far.
@@ -35,7 +36,7 @@ class FlightRecorder {
  private:
   struct Scene {
     std::shared_ptr<const HapticScene> scene;
-    std::string text;
+    SharedText text;
   };
 
   void write(const std::string& fault);

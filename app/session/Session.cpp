@@ -7,7 +7,7 @@
 #include "app/session/SessionRecorder.h"
 #include "app/session/SessionSeat.h"
 #include "app/session/UtcTime.h"
-#include "device/usb/UsbDevice.h"
+#include "device/HostButtons.h"
 #include "haptics/scene/DeviceFrames.h"
 
 namespace haptiv {
@@ -35,7 +35,7 @@ struct Session::Parts {
         text(setup.sceneText),
         description(setup.description),
         device(deviceFor(setup, hand)),
-        board(dynamic_cast<UsbDevice*>(device.get())),
+        buttons(dynamic_cast<HostButtons*>(device.get())),
         seams(setup.rate),
         loop(*device, setup.description, {setup.rate, setup.spin}, seams) {
     seams.scene.write(scene);
@@ -47,7 +47,7 @@ struct Session::Parts {
     std::unique_ptr<SessionLogWriter> writer;
     if (setup.log) {
       writer = std::make_unique<SessionLogWriter>(*setup.log, header);
-      writer->addScene(*scene, setup.sceneText);
+      writer->addScene(*scene, setup.sceneText.get());
     }
     recorder = std::make_unique<SessionRecorder>(seams.log, std::move(writer), flightRecorder(setup, header));
   }
@@ -58,7 +58,7 @@ struct Session::Parts {
     if (wanted && wantedRotation) target.orientation = scene->device.rotation.transpose() * *wantedRotation;
     target.inputs = static_cast<std::uint16_t>(pressed | (wanted ? kInputDeadMan : 0));
     hand->write(target);
-    if (board != nullptr) board->press(pressed);
+    if (buttons != nullptr) buttons->press(pressed);
   }
 
   void publishNewest() {
@@ -67,14 +67,14 @@ struct Session::Parts {
   }
 
   std::shared_ptr<const HapticScene> scene;  // newest that was published
-  std::string text;                          // its own
+  SharedText text;                           // its own
   DeviceDescription description;
   std::optional<Vector3> wanted;          // p_WH of the live hand
   std::optional<Matrix3> wantedRotation;  // R_WH of the same
   std::uint16_t pressed = 0;              // by the live operator
   std::shared_ptr<LiveHand::Seam> hand = std::make_shared<LiveHand::Seam>();
   std::unique_ptr<HapticDevice> device;
-  UsbDevice* board;  // the same, where it is one; else null
+  HostButtons* buttons;  // the same device's, where it has some; else null
   ServoSeams seams;
   ServoLoop loop;
   Scheduling scheduling;
@@ -93,7 +93,7 @@ Session::~Session() {
   }
 }
 
-std::shared_ptr<const HapticScene> Session::publish(std::shared_ptr<const HapticScene> scene, std::string text) {
+std::shared_ptr<const HapticScene> Session::publish(std::shared_ptr<const HapticScene> scene, SharedText text) {
   expectFeelable(*scene);
   const HapticScene& felt = *parts_->scene;
   const bool sameSeat = samePlacement(scene->device, felt.device) && scene->tool.home == felt.tool.home;
@@ -111,6 +111,10 @@ std::shared_ptr<const HapticScene> Session::publish(std::shared_ptr<const Haptic
   parts_->text = std::move(text);
   parts_->publishNewest();
   return scene;
+}
+
+std::size_t Session::shapesToLog() const {
+  return parts_->recorder->shapesToLog();
 }
 
 void Session::chooseResolution(const ResolutionChoice& choice) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/session/HandFile.h"
+#include "app/session/SharedText.h"
 #include "app/session/log/SessionLogWriter.h"
 #include "haptics/scene/HapticScene.h"
 #include "haptics/servo/ServoLoop.h"
@@ -19,7 +20,7 @@ namespace haptiv {
 struct SessionSetup {
   std::shared_ptr<const HapticScene> scene;
   std::string sceneName;
-  std::string sceneText;
+  SharedText sceneText;
   DeviceDescription description;
   double rate = 1000;                                ///< [Hz]
   std::chrono::nanoseconds spin = ServoPace().spin;  ///< how long before each tick the servo is awake
@@ -68,7 +69,9 @@ class Session {
   /// where the device stands and the tool's home cannot change while a session runs, how the redundancy is resolved
   /// and the arm driven stays as chosen, and a version that does not rise is replaced by one that does.
   /// Throws std::runtime_error where a number of the scene is none; what was felt before stays in force.
-  std::shared_ptr<const HapticScene> publish(std::shared_ptr<const HapticScene> scene, std::string text);
+  std::shared_ptr<const HapticScene> publish(std::shared_ptr<const HapticScene> scene, SharedText text);
+  /// Shapes of scenes that were published and are still to be logged.
+  std::size_t shapesToLog() const;
   /// Resolves the redundancy in this way from the next tick on, and logs it: a new version of the same scene.
   /// Throws std::runtime_error where the arm cannot be resolved so; what was chosen before stays.
   void chooseResolution(const ResolutionChoice& choice);

@@ -8,6 +8,10 @@ namespace {
 
 constexpr std::chrono::milliseconds kDrainInterval(50);
 
+std::size_t shapesOf(const HapticScene& scene) {
+  return scene.walls.size() + scene.zones.size();
+}
+
 }  // namespace
 
 SessionRecorder::SessionRecorder(RecordRing<TickRecord>& ring, std::unique_ptr<SessionLogWriter> writer,
@@ -18,9 +22,15 @@ SessionRecorder::~SessionRecorder() {
   stop();
 }
 
-void SessionRecorder::addScene(std::shared_ptr<const HapticScene> scene, std::string text) {
+void SessionRecorder::addScene(std::shared_ptr<const HapticScene> scene, SharedText text) {
   const std::lock_guard guard(mutex_);
+  shapesToLog_ += shapesOf(*scene);
   newScenes_.push_back({std::move(scene), std::move(text)});
+}
+
+std::size_t SessionRecorder::shapesToLog() const {
+  const std::lock_guard guard(mutex_);
+  return shapesToLog_;
 }
 
 std::string SessionRecorder::trouble() const {
@@ -65,12 +75,18 @@ void SessionRecorder::drain() {
     scenes.swap(newScenes_);
   }
   withLog([&] {
-    for (const NewScene& scene : scenes) writer_->addScene(*scene.scene, scene.text);
+    for (const NewScene& scene : scenes) writer_->addScene(*scene.scene, scene.text.get());
     writer_->append(block_);
   });
+  noteWritten(scenes);
   if (!flights_) return;
   for (NewScene& scene : scenes) flights_->addScene(std::move(scene.scene), std::move(scene.text));
   for (const TickRecord& record : block_) recordFlight(record);
+}
+
+void SessionRecorder::noteWritten(const std::vector<NewScene>& scenes) {
+  const std::lock_guard guard(mutex_);
+  for (const NewScene& scene : scenes) shapesToLog_ -= shapesOf(*scene.scene);
 }
 
 void SessionRecorder::recordFlight(const TickRecord& record) {

@@ -29,7 +29,9 @@ class SessionRecorder {
   SessionRecorder& operator=(const SessionRecorder&) = delete;
 
   /// To be called before the servo gets the scene, so that no tick is logged before the scene it felt.
-  void addScene(std::shared_ptr<const HapticScene> scene, std::string text);
+  void addScene(std::shared_ptr<const HapticScene> scene, SharedText text);
+  /// Shapes of scenes that were added and are not yet written.
+  std::size_t shapesToLog() const;
   std::string trouble() const;
   /// Takes what is left in the ring and ends the log; the servo must have stopped. Safe to call twice.
   SessionSummary stop();
@@ -37,11 +39,12 @@ class SessionRecorder {
  private:
   struct NewScene {
     std::shared_ptr<const HapticScene> scene;
-    std::string text;
+    SharedText text;
   };
 
   void run();
   void drain();
+  void noteWritten(const std::vector<NewScene>& scenes);
   void recordFlight(const TickRecord& record);
   void endLog();
   void tell(const std::string& trouble);
@@ -60,6 +63,7 @@ class SessionRecorder {
   bool stopping_ = false;
   std::string trouble_;
   std::vector<NewScene> newScenes_;
+  std::size_t shapesToLog_ = 0;  ///< of the new scenes, and of those that are being written
   std::thread thread_;
 };
 

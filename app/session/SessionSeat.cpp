@@ -66,7 +66,7 @@ std::unique_ptr<FlightRecorder> flightRecorder(const SessionSetup& setup, const 
 SessionHeader headerOf(const SessionSetup& setup) {
   SessionHeader header;
   header.sceneName = setup.sceneName;
-  header.sceneText = setup.sceneText;
+  header.sceneText = setup.sceneText.get();
   header.deviceText = setup.description.text;
   header.softwareVersion = kVersion;
   header.gitHash = kGitHash;

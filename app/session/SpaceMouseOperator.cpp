@@ -4,9 +4,9 @@
 
 namespace haptiv {
 
-SpaceMouseOperator::SpaceMouseOperator(SpaceMouseHand::Mode mode, const DeviceDescription& description,
+SpaceMouseOperator::SpaceMouseOperator(const SpaceMouseChoice& choice, const DeviceDescription& description,
                                        const DevicePlacement& placement)
-    : arm_(description), R_WB_(placement.rotation), hand_(mode) {}
+    : arm_(description), R_WB_(placement.rotation), hand_(choice.mode), mouse_(choice.which) {}
 
 SpaceMouseHand::Wish SpaceMouseOperator::wish(const TickRecord& newest, double heading) {
   const Pose X_WT{newest.position, R_WB_ * arm_.forward(newest.jointAngles).rotation};

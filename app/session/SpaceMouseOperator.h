@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/session/SpaceMouseHand.h"
+#include "app/session/SpaceMouseChoice.h"
 #include "device/kinematics/ArmKinematics.h"
 #include "device/usb/spacemouse/SpaceMouse.h"
 #include "haptics/scene/HapticScene.h"
@@ -12,7 +12,8 @@ namespace haptiv {
 class SpaceMouseOperator {
  public:
   /// Opens the SpaceMouse. Throws std::runtime_error: what is wrong, and what to do.
-  SpaceMouseOperator(SpaceMouseHand::Mode mode, const DeviceDescription& description, const DevicePlacement& placement);
+  SpaceMouseOperator(const SpaceMouseChoice& choice, const DeviceDescription& description,
+                     const DevicePlacement& placement);
 
   /// What the operator wants now; to be asked some 60 times a second or more.
   /// @param newest   tick of the session

@@ -18,6 +18,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   buildActions();
   buildDocks();
   connectParts();
+  connectDevices();
   connectDexterity();
   buildCalibration();
   enterEditing();
@@ -61,7 +62,6 @@ void MainWindow::connectParts() {
   };
   connect(p.document, &SceneDocument::diagnosticsChanged, this, countProblems);
 
-  connect(p.start, &QAction::triggered, p.session, &SessionControl::start);
   connect(p.stop, &QAction::triggered, p.session, &SessionControl::stop);
   connect(p.closeReplay, &QAction::triggered, this, &MainWindow::enterEditing);
   connect(p.session, &SessionControl::started, this, &MainWindow::enterSession);
@@ -86,12 +86,6 @@ void MainWindow::connectParts() {
   connect(p.timing, &TimingPanel::rateChosen, p.document, &SceneDocument::judgeAt);
 
   connect(p.control, &ControlMenu::chosen, p.session, &SessionControl::chooseControl);
-  connect(p.device, &DeviceMenu::chosen, p.session, &SessionControl::chooseDevice);
-  connect(p.heldBy, &HandMenu::chosen, p.session, &SessionControl::chooseHand);
-  for (QMenu* menu : std::initializer_list<QMenu*>{p.control, p.device, p.heldBy}) {
-    connect(p.session, &SessionControl::started, menu, [menu] { menu->setEnabled(false); });
-    connect(p.session, &SessionControl::stopped, menu, [menu] { menu->setEnabled(true); });
-  }
 
   connect(p.hand, &QAction::toggled, this, [this](bool hand) {
     parts_->view->setLeftButton(hand ? SceneView::LeftButton::hand : SceneView::LeftButton::select);

@@ -5,6 +5,8 @@
 
 namespace haptiv {
 
+struct DeviceDescription;
+
 /// The application's window: the view in the middle, the editor's panels beside it, plots or the replay below.
 ///
 /// It is in one of three modes, and only one: editing; a session runs (the scene can still be edited, and is felt at
@@ -28,8 +30,15 @@ class MainWindow : public QMainWindow {
   void buildDocks();
   void connectParts();
   void connectDexterity();
+  void connectDevices();
   void buildCalibration();
   void calibrate();
+  void showOperator();
+  void startSession();
+  void openFalcon(const DeviceDescription& description);
+  void tellOfFalcon(const QString& why);
+  void chooseFirmware();
+  void keepFirmware(const QString& path);
   void enterEditing();
   void enterSession();
   void enterReplay(const QString& logPath);

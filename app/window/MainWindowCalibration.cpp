@@ -3,6 +3,7 @@
 #include <QFileInfo>
 
 #include "app/guide/CalibrationDialog.h"
+#include "app/session/Falcons.h"
 #include "app/window/MainWindowParts.h"
 
 namespace haptiv {
@@ -29,6 +30,10 @@ void MainWindow::buildCalibration() {
 }
 
 void MainWindow::calibrate() {
+  if (isFalcon(parts_->device->device().toStdString()))
+    return tell(
+        tr("A Falcon has no force sensor to be calibrated, and it is homed whenever a session starts. Choose "
+           "another device by Session > Device."));
   const auto open = [device = parts_->device->device().toStdString()](const DeviceDescription& description) {
     return BrakedDevice::named(device, description, kFaultsOfTheSimulatedArm);
   };

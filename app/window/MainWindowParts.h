@@ -18,6 +18,7 @@
 #include "app/window/SessionControl.h"
 #include "app/window/SessionStatus.h"
 #include "app/window/operator/DeviceMenu.h"
+#include "app/window/operator/FalconOpening.h"
 #include "app/window/operator/HandMenu.h"
 #include "app/window/operator/OperatorKeys.h"
 
@@ -57,6 +58,8 @@ struct MainWindow::Parts {
 
   DeviceDescription description;                    ///< of the arm that is shown at rest ...
   std::pair<std::string, std::string> shownDevice;  ///< ... as this scene file names it
+
+  QString firmware;  ///< of a Falcon, as chosen in this window; empty: where it is looked for
 
   QDockWidget* propertiesDock = nullptr;
   QDockWidget* dexterityDock = nullptr;

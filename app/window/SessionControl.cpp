@@ -16,6 +16,9 @@ namespace {
 
 constexpr int kSlowText = 8;        // [ms], half a graphics frame
 constexpr int kPauseForText = 300;  // [ms] without an edit
+/// So many shapes may wait to be logged, or one scene: of a scene of a hundred thousand walls the log takes a second.
+constexpr std::size_t kMostToLog = 100000;
+constexpr int kPauseForLog = 20;  // [ms] until the log is asked again
 
 }  // namespace
 
@@ -36,9 +39,10 @@ struct SessionControl::Parts {
   std::uint16_t keys = 0;                          // pressed at the keyboard
   QString logPath;
   QString toldTrouble;
-  std::string text;         // of the scene as it was when the last command had been done
+  SharedText text;          // of the scene as it was when the last command had been done
   bool isTextSlow = false;  // to be written: what is edited is felt before it is
   QTimer textPause;
+  QTimer logPause;
   QTimer display;
 
   void takeText() {
@@ -49,7 +53,15 @@ struct SessionControl::Parts {
     textPause.stop();
   }
 
+  /// While a large scene is dragged, more versions are made than the log can take: the servo gets the newest as soon as
+  /// there is room for it. An edit by itself is felt at once.
   void publish() {
+    if (session && session->shapesToLog() > kMostToLog) return logPause.start();
+    publishAtOnce();
+  }
+
+  void publishAtOnce() {
+    logPause.stop();
     if (session && !hasErrors(document.compiled().diagnostics)) session->publish(document.compiled().scene, text);
   }
 
@@ -66,8 +78,12 @@ struct SessionControl::Parts {
     session->press(keys | wish.inputs);
   }
 
-  void open() {
-    const SessionSetup chosen = setup();
+  void open(std::unique_ptr<HapticDevice> started) {
+    SessionSetup chosen = setup();
+    if (started)
+      chosen.device = [held = std::make_shared<std::unique_ptr<HapticDevice>>(std::move(started))] {
+        return std::move(*held);
+      };
     if (handInput)
       spaceMouse = std::make_unique<SpaceMouseOperator>(*handInput, chosen.description, chosen.scene->device);
     session = std::make_unique<Session>(chosen);
@@ -117,7 +133,10 @@ SessionControl::SessionControl(SceneDocument& document, QObject* parent)
     if (QApplication::mouseButtons() != Qt::NoButton) return parts_->textPause.start();  // a handle may be held
     if (isRunning()) parts_->takeLateText();
   });
-  connect(&document, &SceneDocument::sceneCompiled, this, [this] { parts_->publish(); });
+  parts_->logPause.setSingleShot(true);
+  parts_->logPause.setInterval(kPauseForLog);
+  connect(&parts_->logPause, &QTimer::timeout, this, [this] { parts_->publish(); });
+  connect(&document, &SceneDocument::sceneReady, this, [this] { parts_->publish(); });
 }
 
 SessionControl::~SessionControl() = default;
@@ -178,17 +197,26 @@ void SessionControl::setHeading(double heading) {
   parts_->heading = heading;
 }
 
-void SessionControl::start() {
-  if (isRunning()) return;
+std::optional<DeviceDescription> SessionControl::descriptionNeeded() {
   const CompiledScene& compiled = parts_->document.compiled();
   if (hasErrors(compiled.diagnostics) || !compiled.scene) {
     emit failed(tr("The scene has errors; mend them first. The list of problems names them."));
-    return;
+    return std::nullopt;
   }
+  try {
+    return loadDeviceDescription(compiled.scene->device.description, parts_->document.path().toStdString());
+  } catch (const std::exception& error) {
+    emit failed(QString::fromUtf8(error.what()));
+    return std::nullopt;
+  }
+}
+
+void SessionControl::startWith(std::unique_ptr<HapticDevice> device) {
+  if (isRunning() || !descriptionNeeded()) return;
   try {
     parts_->takeText();
     parts_->logPath = newLogPath(parts_->document.path());
-    parts_->open();
+    parts_->open(std::move(device));
   } catch (const std::exception& error) {
     parts_->spaceMouse.reset();
     emit failed(QString::fromUtf8(error.what()));
@@ -204,8 +232,9 @@ void SessionControl::stop() {
   if (parts_->textPause.isActive()) {
     parts_->takeLateText();
     parts_->document.compileNow();
-    parts_->publish();
+    parts_->publishAtOnce();
   }
+  parts_->logPause.stop();
   parts_->display.stop();
   const SessionSummary summary = parts_->session->stop();
   parts_->session.reset();

@@ -39,16 +39,22 @@ class SessionControl : public QObject {
   /// For the sessions that follow, of another arm perhaps: as the device description says.
   void forgetChoices();
 
+  /// The description of the arm that the next session needs; nothing where the scene cannot be felt, told by `failed`.
+  std::optional<DeviceDescription> descriptionNeeded();
+  /// As `start`, with a device that has been started already; null: the one that was chosen is made and started here.
+  void startWith(std::unique_ptr<HapticDevice> device);
+
  public slots:
   /// Starts a session; what stands in the way is told by `failed`.
-  void start();
+  void start() { startWith(nullptr); }
   /// Ends it and announces the log.
   void stop();
   /// Resolves the redundancy in this way, at once where a session runs; what stands in the way is told by `failed`.
   void chooseResolution(const haptiv::ResolutionChoice& choice);
   /// Drives the arm in this way from the next session on.
   void chooseControl(const haptiv::ControlChoice& choice);
-  /// The arm from the next session on: "sim", or "usb[:SERIAL]", an interface board.
+  /// The arm from the next session on: "sim", or "usb[:WHICH]", an interface board. A Falcon takes its time to start:
+  /// it is given to startWith.
   void chooseDevice(const QString& device);
   /// What moves the hand from the next session on. A SpaceMouse is opened when a session starts; while it leads, the
   /// mouse does not.

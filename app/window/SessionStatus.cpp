@@ -8,6 +8,24 @@ constexpr const char* kGood = "#006b2d";
 constexpr const char* kCareful = "#8a5a00";
 constexpr const char* kBad = "#b00020";
 
+struct Hints {
+  const char *ready, *running;
+};
+
+Hints hintsOf(SessionStatus::HandBy by) {
+  switch (by) {
+    case SessionStatus::HandBy::mouse:
+      return {"the arm is braked: take the ball with the left mouse button, or hold Space",
+              "pull the ball with the left mouse button, with Shift up and down; Esc stops at once"};
+    case SessionStatus::HandBy::spaceMouse:
+      return {"the arm is braked: hold button 1 of the SpaceMouse, and push its cap",
+              "push the SpaceMouse's cap while you hold its button 1; Esc stops at once"};
+    case SessionStatus::HandBy::device:
+      return {"no force yet: hold the device's dead-man's button", "feel the scene with the device; Esc stops at once"};
+  }
+  return {};
+}
+
 QLabel* label(QStatusBar* bar, const char* name, bool permanent) {
   auto* label = new QLabel(bar);
   label->setObjectName(name);
@@ -64,12 +82,9 @@ void SessionStatus::showSessionState(const TickRecord& record) {
     case SessionState::idle:
       return show(tr("Starting"), hint(tr("the arm has not been read yet")), {});
     case SessionState::ready:
-      return show(tr("Ready"), hint(tr("the arm is braked: take the ball with the left mouse button, or hold Space")),
-                  kCareful);
+      return show(tr("Ready"), hint(tr(hintsOf(handBy_).ready)), kCareful);
     case SessionState::running:
-      return show(tr("Running"),
-                  hint(tr("pull the ball with the left mouse button, with Shift up and down; Esc stops at once")),
-                  kGood);
+      return show(tr("Running"), hint(tr(hintsOf(handBy_).running)), kGood);
     case SessionState::fault:
       return show(tr("Fault: %1").arg(QString::fromStdString(faultList(record.faults))),
                   tr("the arm is braked: let go, then Reset (F7)"), kBad);

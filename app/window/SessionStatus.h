@@ -19,6 +19,9 @@ class SessionStatus : public QStatusBar {
   void showTick(const TickRecord& record, double rate);
   /// What is wrong with the running session's log; stands where the hints stand until the session is over.
   void showTrouble(const QString& trouble);
+  /// By what the hand is moved, for the hints; from the start it is the mouse.
+  enum class HandBy { mouse, spaceMouse, device };
+  void setHandBy(HandBy by) { handBy_ = by; }
   void showScheduling(const Scheduling& scheduling);
   void clearSession();
 
@@ -33,6 +36,7 @@ class SessionStatus : public QStatusBar {
   QLabel* force_;
   QLabel* scheduling_;
   QString trouble_;
+  HandBy handBy_ = HandBy::mouse;
 };
 
 }  // namespace haptiv

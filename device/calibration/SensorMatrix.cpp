@@ -43,7 +43,8 @@ void expectExplained(const Vector6& residual, const Rows& loads) {
     std::ostringstream message;
     message.precision(2);
     message << "no matrix explains the loads: " << nameOfAxis(i) << " is off by " << 100 * residual[i] / largest
-            << " % of its largest load; see that every load hangs as its line says, and measure again";
+            << " % of its largest load; see that the bias has been taken and that every load hangs as its line says, "
+               "and measure again";
     throw CalibrationRefused(message.str());
   }
 }

@@ -7,6 +7,7 @@
 #include "device/DeviceDescription.h"
 #include "device/HapticDevice.h"
 #include "device/Homing.h"
+#include "device/HostButtons.h"
 #include "device/realtime/TimeHistogram.h"
 #include "device/usb/host/LinkCounters.h"
 #include "device/usb/protocol/ControlFrames.h"
@@ -15,7 +16,7 @@ namespace haptiv {
 
 /// Which board, and what to do with it.
 struct UsbDeviceChoice {
-  std::string serial;  ///< empty: the only one there is
+  std::string serial;  ///< or its port; empty: the only one there is
   std::optional<usb::HomeCounts>
       home;              ///< the arm stands where its encoders should say this: homes a board that is not
   bool unhomed = false;  ///< a board without a zero is read too; it is never driven
@@ -23,7 +24,7 @@ struct UsbDeviceChoice {
 
 /// An arm behind an interface board, over USB: docs/usb.md. The servo's side of the link; what it does when a packet is
 /// missing, when the board is silent and when it is unplugged, is the fault policy told there.
-class UsbDevice : public HapticDevice, public Homing {
+class UsbDevice : public HapticDevice, public Homing, public HostButtons {
  public:
   explicit UsbDevice(const DeviceDescription& description, UsbDeviceChoice choice = {});
   ~UsbDevice() override;
@@ -38,7 +39,7 @@ class UsbDevice : public HapticDevice, public Homing {
 
   /// What the operator presses at the host, as a level: a reset is passed on, an emergency stop asks for the board's
   /// trip. Thread: any.  Realtime-safe: yes.
-  void press(std::uint16_t inputs) noexcept;
+  void press(std::uint16_t inputs) noexcept override;
 
   Homing* homing() noexcept override { return this; }
   bool homed() const override;

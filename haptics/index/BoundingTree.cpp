@@ -1,33 +1,25 @@
 #include "haptics/index/BoundingTree.h"
 
 #include <stdexcept>
+#include <utility>
+
+#include "haptics/index/TreeOrigin.h"
 
 namespace haptiv {
-namespace {
 
-/// The middle of all finite boxes: seen from there, single precision loses least.
-Vector3 middleOf(std::span<const Bounds> boxes) {
-  constexpr double kEnd = std::numeric_limits<double>::max() / 2;
-  Vector3 low = Vector3::Constant(kEnd), high = Vector3::Constant(-kEnd);
-  for (const Bounds& box : boxes) {
-    if (!box.low.allFinite() || !box.high.allFinite()) continue;
-    low = low.cwiseMin(box.low);
-    high = high.cwiseMax(box.high);
-  }
-  const Vector3 middle = 0.5 * low + 0.5 * high;
-  return middle.allFinite() ? middle : Vector3::Zero();
-}
+BoundingTree::BoundingTree(std::span<const Bounds> boxes) : BoundingTree(boxes, BoundsOfAll(boxes).bounds()) {}
 
-}  // namespace
-
-BoundingTree::BoundingTree(std::span<const Bounds> boxes)
-    : origin_(middleOf(boxes)), farOff_(origin_.cwiseAbs().sum()), size_(boxes.size()) {
+BoundingTree::BoundingTree(std::span<const Bounds> boxes, const Bounds& all, TreePlan* plan)
+    : origin_(originOf(all)), farOff_(origin_.cwiseAbs().sum()), size_(boxes.size()) {
   if (size_ > kMaxItems) throw std::length_error("a bounding tree holds at most 2147483647 boxes");
   std::vector<FloatBox> rounded;
   rounded.reserve(boxes.size());
   for (const Bounds& box : boxes) rounded.push_back(outwards(box.low, box.high, origin_));
-  nodes_ = buildNodes(rounded);
+  nodes_ = buildNodes(rounded, plan);
 }
+
+BoundingTree::BoundingTree(std::vector<BoxNode> nodes, const Vector3& origin, std::size_t size)
+    : nodes_(std::move(nodes)), origin_(origin), farOff_(origin_.cwiseAbs().sum()), size_(size) {}
 
 std::optional<std::size_t> BoundingTree::copyNear(const FloatBox& query, std::span<BoxNode> nodes) const noexcept {
   std::size_t count = 0;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "haptics/index/Bounds.h"
 #include "haptics/index/BuildNodes.h"
 #include "haptics/index/Fetch.h"
 #include "haptics/index/SweptBall.h"
@@ -30,8 +31,14 @@ class BoundingTree {
   BoundingTree() = default;
   /// O(n log n): half a second for a million boxes. Throws std::length_error beyond kMaxItems.
   explicit BoundingTree(std::span<const Bounds> boxes);
+  /// The same, and how it came to be is put into `plan`. @param all  the box around the finite ones
+  BoundingTree(std::span<const Bounds> boxes, const Bounds& all, TreePlan* plan = nullptr);
+  /// Of the nodes that rebuildNodes made of boxes seen from `origin`.
+  BoundingTree(std::vector<BoxNode> nodes, const Vector3& origin, std::size_t size);
 
   std::size_t size() const noexcept { return size_; }
+  const Vector3& origin() const noexcept { return origin_; }
+  std::span<const BoxNode> nodes() const noexcept { return nodes_; }
   std::size_t bytes() const noexcept { return nodes_.size() * sizeof(BoxNode); }
 
   /// Renames the items along the tree: from now on, item i is what was item result[i]. Who then stores what the items
@@ -47,7 +54,12 @@ class BoundingTree {
   /// What is nearer to p_W than `reach` along every axis, as the nodes' boxes are seen.
   FloatBox around(const Vector3& p_W, double reach) const noexcept { return cubeAround(p_W - origin_, reach, farOff_); }
 
-  /// The same for all that `around` returned.
+  /// The same for all along a way.
+  FloatBox along(const Vector3& from_W, const Vector3& to_W, double reach) const noexcept {
+    return hullOf(around(from_W, reach), around(to_W, reach));
+  }
+
+  /// The same for all that these returned.
   template <typename Visit>
   void forEachNear(const FloatBox& query, Visit&& visit) const noexcept {
     walk([&](const BoxNode& node) { return node.touching(query); }, visit);

@@ -25,6 +25,15 @@ struct FloatBox {
   }
 };
 
+inline FloatBox hullOf(const FloatBox& a, const FloatBox& b) noexcept {
+  FloatBox hull;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    hull.low[axis] = std::min(a.low[axis], b.low[axis]);
+    hull.high[axis] = std::max(a.high[axis], b.high[axis]);
+  }
+  return hull;
+}
+
 namespace index_detail {
 
 /// Relative to the size of the numbers: how far double-precision sums of a few terms can be off.

@@ -28,6 +28,9 @@ Eigen::Index longestAxis(const WideBox& box) noexcept {
 struct Slices {
   Slices(const WideBox& middles, Eigen::Index newAxis) noexcept
       : axis(newAxis), low(middles.low[axis]), perLength(kBins / (middles.high[axis] - low)) {}
+  SplitChoice cutAfter(std::size_t slices) const noexcept {
+    return {low, perLength, static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(slices)};
+  }
   /// Whether there is any length to be cut.
   bool exist() const noexcept { return std::isfinite(perLength); }
   std::size_t operator()(const SplitItem& item) const noexcept {
@@ -79,8 +82,10 @@ void tryAxis(Items items, const Slices& sliceOf, Split& best) noexcept {
 
 /// Both groups, boxes and all, in one pass.
 template <typename GoesFirst>
-std::pair<ItemGroup, ItemGroup> partition(Items items, GoesFirst&& goesFirst) noexcept {
-  ItemGroup first, second;
+SplitGroups partition(Items items, const SplitChoice& choice, GoesFirst&& goesFirst) noexcept {
+  SplitGroups groups{{}, {}, choice};
+  ItemGroup& first = groups.first;
+  ItemGroup& second = groups.second;
   std::size_t begin = 0, end = items.size();
   while (begin < end) {
     if (goesFirst(items[begin])) {
@@ -92,12 +97,12 @@ std::pair<ItemGroup, ItemGroup> partition(Items items, GoesFirst&& goesFirst) no
   }
   first.items = items.first(begin);
   second.items = items.subspan(begin);
-  return {first, second};
+  return groups;
 }
 
-std::pair<ItemGroup, ItemGroup> cutInTwo(Items items) noexcept {
+SplitGroups cutInTwo(Items items) noexcept {
   const std::size_t half = items.size() / 2;
-  return {ItemGroup::of(items.first(half)), ItemGroup::of(items.subspan(half))};
+  return {ItemGroup::of(items.first(half)), ItemGroup::of(items.subspan(half)), {}};
 }
 
 }  // namespace
@@ -109,11 +114,15 @@ ItemGroup ItemGroup::of(Items items) noexcept {
   return group;
 }
 
+void sortByIndex(Items items) noexcept {
+  std::ranges::sort(items, {}, &SplitItem::index);
+}
+
 double ItemGroup::halfArea() const noexcept {
   return halfAreaOf(box);
 }
 
-std::pair<ItemGroup, ItemGroup> splitByArea(const ItemGroup& group) noexcept {
+SplitGroups splitByArea(const ItemGroup& group) noexcept {
   const Eigen::Index longest = longestAxis(group.middles);
   Split best;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -121,12 +130,16 @@ std::pair<ItemGroup, ItemGroup> splitByArea(const ItemGroup& group) noexcept {
     const Slices slices(group.middles, axis);
     if (slices.exist()) tryAxis(group.items, slices, best);
   }
-  if (best.slices == 0) return cutInTwo(group.items);  // all on one spot
+  if (best.slices == 0) {  // all on one spot
+    sortByIndex(group.items);
+    return cutInTwo(group.items);
+  }
   const Slices sliceOf(group.middles, best.axis);
-  return partition(group.items, [&](const SplitItem& item) { return sliceOf(item) < best.slices; });
+  return partition(group.items, sliceOf.cutAfter(best.slices),
+                   [&](const SplitItem& item) { return sliceOf(item) < best.slices; });
 }
 
-std::pair<ItemGroup, ItemGroup> halve(const ItemGroup& group) noexcept {
+SplitGroups halve(const ItemGroup& group) noexcept {
   const Eigen::Index axis = longestAxis(group.middles);
   const auto half = static_cast<std::ptrdiff_t>(group.items.size() / 2);
   std::nth_element(group.items.begin(), group.items.begin() + half, group.items.end(),

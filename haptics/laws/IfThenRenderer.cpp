@@ -56,7 +56,7 @@ void followWalls(const ContactSet& before, const Vector3& goal, Proxy& proxy) no
     proxy.position = goal;
     return;
   }
-  constexpr int kRounds = 2;
+  const int kRounds = before.count > 1 ? 2 : 1;
   std::array<double, ContactSet::kMaxContacts> share;
   std::transform(before.begin(), before.end(), share.begin(), [](const Contact& contact) { return contact.depth; });
   Vector3 place = proxy.position + goal - before.goal;
@@ -71,13 +71,16 @@ void followWalls(const ContactSet& before, const Vector3& goal, Proxy& proxy) no
   proxy.goTowards(place);
 }
 
-/// Walls are remembered a few radii farther than they are felt, ahead of the ball; not where it is so fast that it
-/// would soon have left them behind.
+/// Walls are remembered somewhat farther than they are felt, and a few radii ahead of the ball; not where it is so fast
+/// that it would soon have left them behind.
 RememberedBoxes::Ahead toRemember(const Vector3& step, double radius) noexcept {
-  constexpr double kMargin = 2, kHaste = 0.25;  // of the radius
-  constexpr double kTicks = 64;
+  constexpr double kMargin = 2.5, kAhead = 6, kHaste = 0.25;  // of the radius
+  constexpr double kLess = 0.25;                              // of the way ahead: the margin beside it
+  constexpr double kTicks = 256;
   if (!(step.squaredNorm() < kHaste * kHaste * radius * radius)) return {};
-  return {kMargin * radius, kTicks * step};
+  const double most = kAhead * radius;
+  const Vector3 way = (kTicks * step).cwiseMax(-most).cwiseMin(most);
+  return {kMargin * radius - kLess * way.cwiseAbs().maxCoeff(), way};
 }
 
 /// The proxy goes on from where the walls of the tick before let it come to, now held by the walls that are around

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
+#include <optional>
 
 #include "haptics/planes/NearestCorner.h"
+#include "haptics/planes/PlaneShares.h"
 
 namespace haptiv {
 
@@ -38,8 +36,6 @@ struct HalfSpaces {
   /// normals is the way to the nearest point for one plane and for coinciding ones, else within some d^2 of it: so a
   /// plane that is met when the others hold p already, as that of a triangle is, comes in with next to no share.
   ///
-  /// One and two planes in closed form; more by Newton's method on the planes that push: a few steps, each a system of
-  /// as many planes as push, 3 x 3 at most. Realtime-safe: yes.
   void shareOut(const Vector3& p) noexcept { shareOut(p, p); }
 
   /// The same, and the nearest point to p that is in all of them: exact, as the sum of the shares is not. Where no
@@ -51,163 +47,43 @@ struct HalfSpaces {
   Vector3 nearest(const Vector3& p) noexcept { return nearest(p, p); }
 
  private:
-  static constexpr double kGive = 1.0 / 128;  ///< d
-  static constexpr int kSteps = 20, kHalvings = 10;
-  using Set = std::uint32_t;  ///< of planes, a bit each
+  using Settled = PlaneShares::Settled;
 
-  /// Those that push, and where their shares lead to, from p.
-  struct Shared {
-    Set planes = 0;
-    Vector3 way = Vector3::Zero();
-  };
-  Shared shareOut(const Vector3& p, const Vector3& guess) noexcept;
-  /// The planes that push at y, by depth_.
-  Set pushAt(const Vector3& y) noexcept;
-  /// 2 d times the function to be minimised.
-  double energyAt(const Vector3& y) const noexcept;
-  /// Where exactly these planes push.
-  Vector3 balance(Set planes) const noexcept;
-  /// The shares of two planes that both push; where one is negative, they do not.
-  std::array<double, 2> sharesOfTwo(std::size_t i, std::size_t j) const noexcept;
-  Shared settle(const Vector3& guess) noexcept;
-  /// The same, where these planes probably push.
-  Shared settleFrom(Set planes) noexcept;
-  /// The same of just two planes, wherever they push.
-  Shared settleTwo() noexcept;
+  /// Where the shares lead to, from p, and which planes push.
+  [[gnu::always_inline]] inline Settled shareOut(const Vector3& p, const Vector3& guess) noexcept;
+  /// How far the planes leave out p; false where they do not.
+  [[gnu::always_inline]] inline bool measureFrom(const Vector3& p) noexcept;
   /// The nearest point on all of these planes, from p.
-  std::optional<Vector3> meetingOf(Set planes) const noexcept;
-  bool allHold(const Vector3& y) const noexcept;
-
-  static std::size_t firstOf(Set planes) noexcept { return static_cast<std::size_t>(std::countr_zero(planes)); }
-  static Set butFirst(Set planes) noexcept { return planes & (planes - 1); }
+  [[gnu::always_inline]] inline std::optional<Vector3> meetingOf(PlaneSet planes) const noexcept;
+  [[gnu::always_inline]] inline bool allHold(const Vector3& y) const noexcept;
   std::size_t size() const noexcept { return static_cast<std::size_t>(count); }
 
   std::array<double, Capacity> missing_;  ///< r
-  std::array<double, Capacity> depth_;    ///< r - n . y where positive, else 0
   double largest_;                        ///< of the |r|
 };
 
 template <int Capacity>
-typename HalfSpaces<Capacity>::Set HalfSpaces<Capacity>::pushAt(const Vector3& y) noexcept {
-  Set pushing = 0;
+bool HalfSpaces<Capacity>::measureFrom(const Vector3& p) noexcept {
+  double most = 0, least = 0;
   for (std::size_t i = 0; i < size(); ++i) {
-    const double depth = missing_[i] - normal[i].dot(y);
-    depth_[i] = std::max(depth, 0.0);
-    pushing |= static_cast<Set>(depth > 0) << i;
-  }
-  return pushing;
-}
-
-template <int Capacity>
-double HalfSpaces<Capacity>::energyAt(const Vector3& y) const noexcept {
-  double energy = kGive * y.squaredNorm();
-  for (std::size_t i = 0; i < size(); ++i) {
-    const double depth = std::max(missing_[i] - normal[i].dot(y), 0.0);
-    energy += depth * depth;
-  }
-  return energy;
-}
-
-template <int Capacity>
-std::array<double, 2> HalfSpaces<Capacity>::sharesOfTwo(std::size_t i, std::size_t j) const noexcept {
-  const double cosine = normal[i].dot(normal[j]);
-  const double inverse = 1 / ((1 + kGive) * (1 + kGive) - cosine * cosine);
-  return {((1 + kGive) * missing_[i] - cosine * missing_[j]) * inverse,
-          ((1 + kGive) * missing_[j] - cosine * missing_[i]) * inverse};
-}
-
-template <int Capacity>
-Vector3 HalfSpaces<Capacity>::balance(Set planes) const noexcept {
-  if (planes == 0) return Vector3::Zero();
-  const Set others = butFirst(planes);
-  if (others == 0) return missing_[firstOf(planes)] / (1 + kGive) * normal[firstOf(planes)];
-  if (butFirst(others) == 0) {
-    const std::size_t i = firstOf(planes), j = firstOf(others);
-    const auto [first, second] = sharesOfTwo(i, j);
-    return first * normal[i] + second * normal[j];
-  }
-  Matrix3 sum = kGive * Matrix3::Identity();
-  Vector3 pull = Vector3::Zero();
-  for (Set left = planes; left != 0; left = butFirst(left)) {
-    const std::size_t i = firstOf(left);
-    sum += normal[i] * normal[i].transpose();
-    pull += missing_[i] * normal[i];
-  }
-  return sum.inverse() * pull;
-}
-
-template <int Capacity>
-typename HalfSpaces<Capacity>::Shared HalfSpaces<Capacity>::settle(const Vector3& guess) noexcept {
-  Shared now{pushAt(guess), guess};
-  for (int step = 0; step < kSteps; ++step) {
-    Vector3 next = balance(now.planes);
-    Set then = pushAt(next);
-    if (then == now.planes) return {then, next};
-    const double energy = energyAt(now.way);
-    for (int half = 0; half < kHalvings && then != now.planes && energyAt(next) > energy; ++half) {
-      next = 0.5 * (now.way + next);
-      then = pushAt(next);
-    }
-    now = {then, next};
-  }
-  return now;
-}
-
-template <int Capacity>
-typename HalfSpaces<Capacity>::Shared HalfSpaces<Capacity>::settleFrom(Set planes) noexcept {
-  const Vector3 y = balance(planes);
-  return pushAt(y) == planes ? Shared{planes, y} : settle(y);
-}
-
-template <int Capacity>
-typename HalfSpaces<Capacity>::Shared HalfSpaces<Capacity>::settleTwo() noexcept {
-  auto [first, second] = sharesOfTwo(0, 1);
-  const bool bothPush = first > 0 && second > 0;
-  if (!bothPush) {  // one would have to pull: the other pushes alone
-    const bool isFirst = second > 0 ? false : missing_[0] > 0;
-    first = isFirst ? missing_[0] / (1 + kGive) : 0;
-    second = isFirst ? 0 : std::max(missing_[1], 0.0) / (1 + kGive);
-  }
-  depth_[0] = kGive * first;
-  depth_[1] = kGive * second;
-  return {(first > 0 ? 1U : 0U) | (second > 0 ? 2U : 0U), first * normal[0] + second * normal[1]};
-}
-
-template <int Capacity>
-typename HalfSpaces<Capacity>::Shared HalfSpaces<Capacity>::shareOut(const Vector3& p, const Vector3& guess) noexcept {
-  bool isPushed = false;
-  largest_ = 0;
-  for (std::size_t i = 0; i < size(); ++i) {
-    missing_[i] = offset[i] - normal[i].dot(p);
     share[i] = 0;
-    isPushed = isPushed || missing_[i] > 0;
-    largest_ = std::max(largest_, std::abs(missing_[i]));
+    missing_[i] = offset[i] - normal[i].dot(p);
+    most = std::max(most, missing_[i]);
+    least = std::min(least, missing_[i]);
   }
-  if (!isPushed) return {};
+  largest_ = std::max(most, -least);
+  return most > 0;
+}
+
+template <int Capacity>
+typename HalfSpaces<Capacity>::Settled HalfSpaces<Capacity>::shareOut(const Vector3& p, const Vector3& guess) noexcept {
+  if (!measureFrom(p)) return {};
   if (count == 1) {
     share[0] = missing_[0];
     return {1, missing_[0] * normal[0]};
   }
-  const Shared rough = count == 2 ? settleTwo() : settle((1 - 2 * kGive) * (guess - p));
-  std::array<double, Capacity> asked;
-  for (std::size_t i = 0; i < size(); ++i) {
-    asked[i] = missing_[i];
-    missing_[i] += depth_[i];
-  }
-  Shared shared = count == 2 ? settleTwo() : settleFrom(rough.planes);
-  for (std::size_t i = 0; i < size(); ++i) missing_[i] = asked[i];
-  double squares = 0;
-  for (Set left = shared.planes; left != 0; left = butFirst(left)) {
-    const std::size_t i = firstOf(left);
-    share[i] = depth_[i] / kGive;
-    squares += share[i] * share[i];
-  }
-  const double way = shared.way.squaredNorm();
-  const double give = kGive * std::min(1.0, squares / way);
-  const double stretch = 1 / (1 - give * give / ((1 + give) * (1 + give)));
-  for (Set left = shared.planes; left != 0; left = butFirst(left)) share[firstOf(left)] *= stretch;
-  shared.way *= stretch;
-  return shared;
+  PlaneShares shares({normal.data(), size()}, {missing_.data(), size()}, {share.data(), size()});
+  return shares.shareOut(guess - p);
 }
 
 template <int Capacity>
@@ -218,22 +94,30 @@ bool HalfSpaces<Capacity>::allHold(const Vector3& y) const noexcept {
 }
 
 template <int Capacity>
-std::optional<Vector3> HalfSpaces<Capacity>::meetingOf(Set planes) const noexcept {
-  std::array<std::size_t, 3> of{};
-  const int members = std::popcount(planes);
-  if (members == 0 || members > 3) return std::nullopt;
-  for (std::size_t k = 0; planes != 0; planes = butFirst(planes)) of[k++] = firstOf(planes);
-  const auto [i, j, k] = of;
-  if (members == 1) return missing_[i] * normal[i];
-  if (members == 2) return nearestOnEdge(normal[i], missing_[i], normal[j], missing_[j]);
-  return nearestInCorner(normal[i], missing_[i], normal[j], missing_[j], normal[k], missing_[k]);
+std::optional<Vector3> HalfSpaces<Capacity>::meetingOf(PlaneSet planes) const noexcept {
+  switch (sizeUpToThree(planes)) {
+    case 1: {
+      const auto [i] = membersOf<1>(planes);
+      return missing_[i] * normal[i];
+    }
+    case 2: {
+      const auto [i, j] = membersOf<2>(planes);
+      return nearestOnEdge(normal[i], missing_[i], normal[j], missing_[j]);
+    }
+    case 3: {
+      const auto [i, j, k] = membersOf<3>(planes);
+      return nearestInCorner(normal[i], missing_[i], normal[j], missing_[j], normal[k], missing_[k]);
+    }
+    default:
+      return std::nullopt;
+  }
 }
 
 template <int Capacity>
 Vector3 HalfSpaces<Capacity>::nearest(const Vector3& p, const Vector3& guess) noexcept {
-  const Shared shared = shareOut(p, guess);
-  if (shared.planes == 0 || count == 1) return p + shared.way;
-  const std::optional<Vector3> meeting = meetingOf(shared.planes);
+  const Settled shared = shareOut(p, guess);
+  if (shared.pushing == 0 || count == 1) return p + shared.way;
+  const std::optional<Vector3> meeting = meetingOf(shared.pushing);
   if (meeting && allHold(*meeting)) return p + *meeting;
   return p + nearestCorner({normal.data(), size()}, {missing_.data(), size()}).value_or(shared.way);
 }

@@ -25,8 +25,8 @@ inline constexpr double kParallelPlanes = 1e-10;  ///< the square of an angle's 
 
 /// The same for two planes on both of which it lies; nothing where it does not, or they are parallel.
 /// Realtime-safe: yes.
-inline std::optional<Vector3> nearestOnEdge(const Vector3& a, double offsetA, const Vector3& b,
-                                            double offsetB) noexcept {
+[[gnu::always_inline]] inline std::optional<Vector3> nearestOnEdge(const Vector3& a, double offsetA, const Vector3& b,
+                                                                   double offsetB) noexcept {
   const double cosine = a.dot(b);
   const double squaredSine = a.cross(b).squaredNorm();
   const double pushA = offsetA - cosine * offsetB, pushB = offsetB - cosine * offsetA;
@@ -35,8 +35,9 @@ inline std::optional<Vector3> nearestOnEdge(const Vector3& a, double offsetA, co
 }
 
 /// The same for three. Realtime-safe: yes.
-inline std::optional<Vector3> nearestInCorner(const Vector3& a, double offsetA, const Vector3& b, double offsetB,
-                                              const Vector3& c, double offsetC) noexcept {
+[[gnu::always_inline]] inline std::optional<Vector3> nearestInCorner(const Vector3& a, double offsetA, const Vector3& b,
+                                                                     double offsetB, const Vector3& c,
+                                                                     double offsetC) noexcept {
   const Vector3 bc = b.cross(c), ca = c.cross(a), ab = a.cross(b);
   const double volume = a.dot(bc);
   const double longest = std::max({bc.squaredNorm(), ca.squaredNorm(), ab.squaredNorm()});

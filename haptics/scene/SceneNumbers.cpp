@@ -26,9 +26,15 @@ std::string wrongIn(const std::string& whose, const Shape& shape) {
   return notFinite(whose, {{"place", shape.centre.sum()}, {"size", shape.axes.sum()}});
 }
 
+/// Quickly, of a hundred thousand: a sum is finite only where all numbers of it are.
+bool isFine(const Shape& shape, double others) {
+  return std::isfinite(shape.centre.sum() + shape.axes.sum() + others);
+}
+
 std::string wrongIn(const Wall& wall) {
-  const std::string whose = "the wall with id " + std::to_string(wall.id);
   const SurfaceProperties& s = wall.surface;
+  if (isFine(wall.shape, s.stiffness + s.damping + s.hysteresis + s.staticFriction + s.dynamicFriction)) return {};
+  const std::string whose = "the wall with id " + std::to_string(wall.id);
   std::string wrong = wrongIn(whose, wall.shape);
   return !wrong.empty() ? wrong
                         : notFinite(whose, {{"stiffness", s.stiffness},
@@ -39,6 +45,7 @@ std::string wrongIn(const Wall& wall) {
 }
 
 std::string wrongIn(const Zone& zone) {
+  if (isFine(zone.shape, zone.damping + zone.stiffness + zone.restLength + zone.anchor.sum())) return {};
   const std::string whose = "the zone with id " + std::to_string(zone.id);
   std::string wrong = wrongIn(whose, zone.shape);
   return !wrong.empty() ? wrong

@@ -20,32 +20,43 @@ namespace haptiv {
 /// taken for one that is met twice: the ids still differ.
 class PathIds {
  public:
+  using Way = std::uint64_t;    ///< from the root to a node
+  using Place = std::uint32_t;  ///< names a shape's way, for as long as this lives
+
+  static Way wayOn(Way way, const SoNode* next);
+
   /// A compilation begins.
   void begin() { ++round_; }
-  /// The id of a shape. A group may hold one node twice, and an array visits it often: each time that a compilation
-  /// meets a path, the shape is another one.
-  /// @param path   to the shape, or to the group that holds it ...
-  /// @param below  ... and then the shape itself; else null
-  ShapeId idOf(const SoPath& path, const SoNode* below = nullptr);
+  Way wayOf(const SoPath& path);
+  /// The same without the last node.
+  Way wayToParent(const SoPath& path);
+  Place placeOf(Way way);
+  /// The id of the shape that the compilation meets there. A group may hold one node twice, and an array visits it
+  /// often: each time that a place is met, the shape is another one.
+  ShapeId meet(Place place);
+  /// Of the shape at the end of a path.
+  ShapeId idOf(const SoPath& path) { return meet(placeOf(wayOf(path))); }
 
  private:
   struct Step {
     const SoNode* node = nullptr;
-    std::uint64_t way = 0;  ///< from the root to this node
+    Way way = 0;  ///< from the root to this node
   };
   struct Shape {
+    Way way = 0;
     std::uint32_t round = 0;  ///< the compilation that met it last ...
     std::uint32_t times = 0;  ///< ... and how often
     ShapeId first = 0;        ///< its id when it is met first; 0: none yet
   };
 
-  std::uint64_t wayOf(const SoPath& path);
+  Way wayOf(const SoPath& path, int nodes);
 
   std::uint32_t round_ = 0;
   ShapeId ids_ = 0;
-  FlatMap<Shape> shapes_;                                               ///< by their ways
-  std::map<std::pair<std::uint64_t, std::uint32_t>, ShapeId> repeats_;  ///< of ways met again, and how often before
-  std::vector<Step> last_;  ///< the path asked for last: the next starts alike
+  std::vector<Shape> shapes_;                                 ///< by their places
+  FlatMap<Place> places_;                                     ///< by their ways, one more each; 0: none yet
+  std::map<std::pair<Way, std::uint32_t>, ShapeId> repeats_;  ///< of ways met again, and how often before
+  std::vector<Step> last_;                                    ///< the path asked for last: the next starts alike
 };
 
 }  // namespace haptiv

@@ -13,6 +13,8 @@
 #include <Inventor/nodes/SoText3.h>
 #include <Inventor/nodes/SoVertexShape.h>
 
+#include <algorithm>
+
 #include "scenegraph/Keyword.h"
 #include "scenegraph/ToEigen.h"
 #include "scenegraph/compiling/PropertyChecks.h"
@@ -42,10 +44,19 @@ bool isMadeOfCorners(const SoNode* node) {
 
 }  // namespace
 
-SceneCollector::SceneCollector(PathIds& ids, MeshCache& meshes, Progress progress, std::size_t mostTriangles)
-    : ids_(ids), meshes_(meshes), progress_(std::move(progress)), mostTriangles_(mostTriangles) {}
+SceneCollector::SceneCollector(SceneMemory& memory, Progress progress, std::size_t mostTriangles)
+    : memory_(memory), progress_(std::move(progress)), mostTriangles_(mostTriangles) {}
 
 void SceneCollector::collect(SoNode* root) {
+  memory_.ids.begin();
+  memory_.separators.begin();
+  memory_.met.begin();
+  if (memory_.scene) {
+    scene.walls.reserve(memory_.scene->walls.size() + 16);
+    scene.zones.reserve(memory_.scene->zones.size() + 16);
+    origins.walls.reserve(memory_.scene->walls.size() + 16);
+    origins.properties.reserve(memory_.scene->walls.size() + 16);
+  }
   SoCallbackAction action;
   action.addPreCallback(SoHapticProperty::getClassTypeId(), &onProperty, this);
   action.addPreCallback(SoSeparator::getClassTypeId(), &onSeparator, this);
@@ -60,7 +71,7 @@ void SceneCollector::collect(SoNode* root) {
   }
   action.addPreCallback(SoDragger::getClassTypeId(), &onDragger, this);
   action.apply(root);
-  meshes_.forgetUnused();
+  memory_.meshes.forgetUnused();
   if (!origins.tool) {
     say(Severity::error, nullptr,
         "the scene has no tool: add HapticTool { home 0 0 0 } where the ball is to start, or make it solid: haptiv run "
@@ -91,16 +102,11 @@ Response SceneCollector::onDevice(void* self, SoCallbackAction* action, const So
 
 // Most of a large scene is read without Coin.
 Response SceneCollector::onSeparator(void* self, SoCallbackAction* action, const SoNode* node) {
+  if (node->getTypeId() != SoSeparator::getClassTypeId()) return SoCallbackAction::CONTINUE;
   auto& collector = *static_cast<SceneCollector*>(self);
-  const SoHapticProperty* property = SoHapticPropertyElement::get(action->getState());
-  if (node->getTypeId() != SoSeparator::getClassTypeId() ||
-      !collector.plain_.read(*static_cast<const SoSeparator*>(node), action->getModelMatrix(), property))
-    return SoCallbackAction::CONTINUE;
-  for (const SoHapticProperty* own : collector.plain_.properties()) collector.check(own);
-  for (PlainSeparator::Felt& felt : collector.plain_.felt()) {
-    const ShapeId id = collector.ids_.idOf(*action->getCurPath(), felt.node);
-    collector.add({id, felt.node, *felt.property, felt.toW}, std::move(felt.shape));
-  }
+  const auto& separator = *static_cast<const SoSeparator*>(node);
+  const PathIds::Way way = collector.memory_.ids.wayToParent(*action->getCurPath());
+  if (!collector.takePlain(separator, collector.surroundings(way, *action))) collector.walk(separator, *action);
   return SoCallbackAction::PRUNE;
 }
 
@@ -165,16 +171,16 @@ bool SceneCollector::takeShape(const SoNode* node, SoCallbackAction& action) {
     return false;
   }
   if (!converted.shape) return beginMesh(node, action);
-  add(feltOf(ids_.idOf(*action.getCurPath()), node, action), std::move(*converted.shape));
+  add(feltOf(memory_.ids.idOf(*action.getCurPath()), node, action), std::move(*converted.shape));
   return false;
 }
 
 bool SceneCollector::beginMesh(const SoNode* node, SoCallbackAction& action) {
   const float complexityBefore = action.getComplexity();
   if (!isMadeOfCorners(node)) SoComplexityElement::set(action.getState(), kFinest);
-  const ShapeId id = ids_.idOf(*action.getCurPath());
+  const ShapeId id = memory_.ids.idOf(*action.getCurPath());
   MeshSource source = MeshSource::of(node, action);
-  if (auto known = meshes_.find(id, source)) {
+  if (auto known = memory_.meshes.find(id, source)) {
     triangles_ += known->triangles.size();
     add(feltOf(id, node, action), shapeOf(std::move(known)));
     SoComplexityElement::set(action.getState(), complexityBefore);
@@ -207,7 +213,7 @@ void SceneCollector::endMesh(const SoNode* node, SoCallbackAction& action) {
         "it faces");
     return;
   }
-  meshes_.keep(ended.id, std::move(ended.source), mesh);
+  memory_.meshes.keep(ended.id, std::move(ended.source), mesh);
   add(feltOf(ended.id, node, action), shapeOf(std::move(mesh)));
 }
 
@@ -222,11 +228,13 @@ void SceneCollector::tellProgress() const {
 }
 
 void SceneCollector::check(const SoNode* node) {
-  bool& isChecked = checked_[reinterpret_cast<std::uintptr_t>(node)];
-  if (isChecked) return;
-  isChecked = true;
+  if (!memory_.met.meet(memory_.met.placeOf(node))) return;
   if (node->isOfType(SoHapticProperty::getClassTypeId())) origins.properties.push_back(node);
   for (const FieldFault& fault : checkFields(node)) say(fault.severity, node, fault.message);
+}
+
+void SceneCollector::note(const KnownSeparators::Property& property) {
+  if (memory_.met.meet(property.place)) origins.properties.push_back(property.node);
 }
 
 void SceneCollector::checkPlace(const SoNode* node, SoCallbackAction& action) {

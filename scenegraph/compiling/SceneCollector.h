@@ -11,11 +11,9 @@
 #include "haptics/scene/HapticScene.h"
 #include "scenegraph/Diagnostic.h"
 #include "scenegraph/compiling/FeltShape.h"
-#include "scenegraph/compiling/FlatMap.h"
-#include "scenegraph/compiling/PathIds.h"
 #include "scenegraph/compiling/PlainSeparator.h"
+#include "scenegraph/compiling/SceneMemory.h"
 #include "scenegraph/compiling/ShapeOrigin.h"
-#include "scenegraph/compiling/meshes/MeshCache.h"
 #include "scenegraph/compiling/meshes/TriangleSoup.h"
 
 namespace haptiv {
@@ -32,15 +30,16 @@ class SceneCollector {
 
   static constexpr std::size_t kMaxTriangles = 4'000'000;  ///< felt ones: some hundred bytes each with their index
 
-  /// @param ids     gives each felt shape its id, from the nodes on the way to it
-  /// @param meshes  of the compilation before; those of this one afterwards
-  SceneCollector(PathIds& ids, MeshCache& meshes, Progress progress = {}, std::size_t mostTriangles = kMaxTriangles);
+  /// @param memory  of the compilation before; of this one afterwards, but for scene and indexer
+  explicit SceneCollector(SceneMemory& memory, Progress progress = {}, std::size_t mostTriangles = kMaxTriangles);
 
   void collect(SoNode* root);
 
   HapticScene scene;        ///< without version and bounds
   SceneOrigins origins;     ///< of what is in `scene`
   Diagnostics diagnostics;  ///< with node and source; without file and line
+  KeptRuns keptWalls;       ///< what is known to be as in the scene before
+  KeptRuns keptZones;
 
  private:
   static SoCallbackAction::Response onProperty(void* self, SoCallbackAction* action, const SoNode* node);
@@ -54,6 +53,13 @@ class SceneCollector {
   static SoCallbackAction::Response onLevels(void* self, SoCallbackAction* action, const SoNode* node);
   static SoCallbackAction::Response onDragger(void* self, SoCallbackAction* action, const SoNode* node);
 
+  /// Goes through a Separator as Coin does; what is plain below it is read without Coin.
+  void walk(const SoSeparator& separator, SoCallbackAction& action);
+  Surroundings surroundings(PathIds::Way way, SoCallbackAction& action) const;
+  /// False: it is none that can be read without Coin.
+  bool takePlain(const SoSeparator& separator, const Surroundings& around);
+  void takeRead(const SoSeparator& separator, const Surroundings& around);
+  void takeKnown(const KnownSeparators::Separator& known, const Surroundings& around);
   void takeTool(const SoHapticTool& tool);
   void takeDevice(const SoHapticDevice& device);
   /// Whether its triangles are wanted, too.
@@ -63,6 +69,8 @@ class SceneCollector {
   void add(const FeltShape& felt, Shape shape);
   void tellProgress() const;
   void check(const SoNode* node);
+  /// The same of a node that is known to have no fault.
+  void note(const KnownSeparators::Property& property);
   void checkPlace(const SoNode* node, SoCallbackAction& action);
   /// The same of the same node is said once, however often USE repeats it.
   void say(Diagnostic::Severity severity, const SoNode* node, const std::string& message);
@@ -75,14 +83,14 @@ class SceneCollector {
     float complexityBefore = 0;
   };
 
-  PathIds& ids_;
-  MeshCache& meshes_;
+  SceneMemory& memory_;
   Progress progress_;
   std::optional<OpenMesh> open_;
   std::size_t triangles_ = 0;
   std::size_t mostTriangles_;
-  PlainSeparator plain_;   // the one that is being read
-  FlatMap<bool> checked_;  // by the nodes' addresses
+  PlainSeparator plain_;                             // the one that is being read
+  std::vector<KnownSeparators::Shape> plainShapes_;  // of the same ...
+  std::vector<KnownSeparators::Property> plainProperties_;
   std::set<std::pair<const SoNode*, std::string>> said_;
 };
 

@@ -104,16 +104,6 @@ void SceneReader::parse(SceneFile& scene) {
 }
 
 void SceneReader::open(SceneFile& scene) {
-  Diagnostics found;
-  for (const SoNode* shape : switchOffNurbs(scene.root.get())) {
-    found.push_back({Severity::warning,
-                     {},
-                     0,
-                     describe(shape),
-                     "NURBS are neither shown nor felt: convert them to triangles",
-                     shape});
-  }
-  addLocated(scene, std::move(found));
   const fs::path folder = fs::path(scene.path).parent_path();
   const ReadScene readIncluded = [&](const fs::path& path, const SoNode* namedBy) {
     return include(scene, path, namedBy);
@@ -153,6 +143,17 @@ NodeRef<SoSeparator> SceneReader::include(SceneFile& scene, const fs::path& path
 }
 
 void SceneReader::judge(SceneFile& scene) {
+  Diagnostics trimmed;
+  for (const SoNode* shape : switchOffTrimmedNurbs(scene.root.get())) {
+    trimmed.push_back({Severity::warning,
+                       {},
+                       0,
+                       describe(shape),
+                       "is neither shown nor felt, as NURBS are not in a scene with profiles, which trim them: convert "
+                       "it to triangles",
+                       shape});
+  }
+  addLocated(scene, std::move(trimmed));
   const auto [why, node] = expansionFault(scene.root.get());
   if (!why.empty()) {
     const bool isRoot = node == scene.root.get();

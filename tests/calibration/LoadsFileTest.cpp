@@ -37,6 +37,13 @@ TEST_F(Loads, AreForceAndTorqueALine) {
   EXPECT_FALSE(loads[0].counts);
 }
 
+TEST_F(Loads, AreWrittenSoThatTheyReadTheSame) {
+  const std::vector<Vector6> loads = {(Vector6() << 0.1, -9.80665, 1. / 3, 0, -0.4, 1e-7).finished(), Vector6::Ones()};
+  const auto back = read(loadsText(loads));
+  ASSERT_EQ(back.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(back[i].load, loads[i]);
+}
+
 TEST_F(Loads, MayHaveTheSensorsCountsBesideThem) {
   const auto loads = read("fx,fy,fz,tx,ty,tz,c1,c2,c3,c4,c5,c6\n1,0,0,0,0,0,50.5,0,0,0,0,-1\n");
   ASSERT_TRUE(loads.at(0).counts);

@@ -116,6 +116,24 @@ TEST(SceneFile, RefusesFacesThatCrowdOnePoint) {
   EXPECT_THAT(textOf(crowded.diagnostics), HasSubstr("3: error: IndexedFaceSet: has 40000 corners on one point"));
 }
 
+/// Without indices, corners are on one point where their coordinates are equal. Normals spare Coin the work.
+TEST(SceneFile, RefusesFacesWithoutIndicesThatCrowdOnePoint) {
+  std::string points, counts;
+  for (int i = 0; i < 50'000; ++i) {
+    points += (i % 2 ? "0 0 0, 1 " : "-0 0 0, 1 ") + std::to_string(i) + " 0, 1 " + std::to_string(i + 1) + " 0,\n";
+    counts += "3 ";
+  }
+  for (const std::string shape : {"FaceSet", "TriangleStripSet"}) {
+    const std::string faces =
+        "Coordinate3 { point [ " + points + "] }\n" + shape + " { numVertices [ " + counts + "] }";
+    const SceneFile crowded = readSceneText(kHeader + faces, "test.iv");
+    EXPECT_FALSE(crowded.root);
+    EXPECT_THAT(textOf(crowded.diagnostics), HasSubstr("error: " + shape + ": has 50000 corners on one point"));
+    const std::string lit = "Normal { vector 0 0 1 } NormalBinding { value OVERALL }\n";
+    EXPECT_TRUE(readSceneText(kHeader + lit + faces, "test.iv").root) << shape;
+  }
+}
+
 TEST(SceneFile, RefusesADeepChainOfUses) {
   std::string chain = kHeader + "DEF a0 Separator { Cube { } }";
   for (int i = 1; i < 3000; ++i) {

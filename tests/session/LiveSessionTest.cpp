@@ -95,7 +95,7 @@ TEST(LiveSession, AStrategyChosenLiveIsLoggedKeptThroughEditsAndNotFelt) {
   const SessionLog log(folder / "s.h5");
   ASSERT_EQ(log.scenes().size(), 4u);
   EXPECT_EQ(log.scenes()[1].scene.resolution, first);
-  EXPECT_EQ(log.scenes()[1].text, setup.sceneText) << "the scene is the same";
+  EXPECT_EQ(log.scenes()[1].text, setup.sceneText.get()) << "the scene is the same";
   EXPECT_EQ(log.scenes()[2].scene.resolution, first) << "an edit keeps the choice";
   EXPECT_EQ(log.scenes()[3].scene.resolution, second);
   EXPECT_EQ(log.scenes()[3].text, "edited");

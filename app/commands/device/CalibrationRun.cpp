@@ -3,17 +3,25 @@
 #include <cmath>
 #include <iostream>
 
+#include "app/commands/DeviceName.h"
 #include "app/commands/Picture.h"
 #include "app/commands/WholeFile.h"
+#include "app/session/Falcons.h"
 #include "app/session/UsbBoards.h"
 
 namespace haptiv {
 
 BrakedDevice calibrationDevice(const CalibrationOptions& options, const DeviceDescription& description) {
+  refuseWithoutName(options.device);
   if (options.device == "sim" || isBoard(options.device))
     return BrakedDevice::named(options.device, description, static_cast<std::uint64_t>(options.seed));
-  throw CommandFailure(kWrongUsage,
-                       "--device " + options.device + ": there is no such device; use sim, usb or usb:SERIAL");
+  if (isFalcon(options.device))
+    throw CommandFailure(kWrongUsage, "--device " + options.device +
+                                          ": a Falcon has no force sensor, and it is homed whenever a session starts; "
+                                          "there is nothing to do");
+  throw CommandFailure(kWrongUsage, "--device " + options.device +
+                                        ": there is no such device; use sim, usb or "
+                                        "usb:WHICH, as haptiv device list names them");
 }
 
 void askOperator(const BrakedDevice& device, const std::string& what) {
@@ -31,7 +39,7 @@ void addCalibrationOptions(const Command& command, CalibrationOptions& options) 
   command.path("DESCRIPTION", options.description, "Of the device: a built-in name, or a file (.toml)").showDefault();
   command
       .text("--device", options.device,
-            "The device: sim, an arm that is not quite as described; usb (usb:SERIAL), an interface board")
+            "The device: sim, an arm that is not quite as described; usb (usb:WHICH), an interface board")
       .type("NAME")
       .showDefault();
   command.path("--out", options.out, "Write the description here, with what was found; comments and all else stay")

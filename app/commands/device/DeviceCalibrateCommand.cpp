@@ -75,6 +75,8 @@ void add(Report& report, const SensorMatrix& found, std::size_t loads) {
 
 int calibrate(const CalibrateOptions& options) {
   const DeviceDescription description = loadDeviceDescription(options.description);
+  if (description.type == DeviceType::impedance)
+    throw CommandFailure(kWrongUsage, description.name + ": has no force sensor, so there is nothing to calibrate");
   const std::vector<KnownLoad> loads = loadsOf(options);
   if (!options.out.empty()) requireWritable(options.out);
   BrakedDevice device = calibrationDevice(options, description);

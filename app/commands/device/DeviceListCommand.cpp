@@ -6,45 +6,39 @@
 
 #include "app/commands/ExitCode.h"
 #include "app/commands/Report.h"
+#include "app/commands/device/DeviceTable.h"
 #include "device/DeviceDescription.h"
 #include "device/descriptions/BuiltInDescriptions.h"
-#include "device/usb/host/BoardList.h"
+#include "device/usb/PluggedDevices.h"
 
 namespace haptiv {
 namespace {
 
 struct DeviceListOptions {
+  std::string firmware;  // of a Falcon; empty: where it is looked for
   bool json = false;
 };
 
-/// One line a board; what to give --device first.
-void printBoards(const std::vector<usb::ListedBoard>& boards) {
-  if (boards.empty()) std::cout << "  usb                 no interface board is plugged in\n";
-  for (const usb::ListedBoard& board : boards) {
-    std::cout << "  usb:" << board.serial << std::string(16 - std::min<std::size_t>(15, board.serial.size()), ' ')
-              << board.product << ", bus " << board.bus << ", device " << board.address
-              << (board.highSpeed ? ", high speed" : ", full speed") << "\n";
-    if (!board.trouble.empty()) std::cout << "                      " << board.trouble << "\n";
-  }
-}
-
-Report::List listOf(const std::vector<usb::ListedBoard>& boards) {
+Report::List listOf(const std::vector<PluggedDevice>& devices, PluggedKind kind) {
   Report::List list;
-  for (const usb::ListedBoard& board : boards) {
+  for (const PluggedDevice& device : devices) {
+    if (device.kind != kind) continue;
     Report& entry = list.emplace_back();
-    entry.add("serial", board.serial);
-    entry.add("product", board.product);
-    entry.add("bus", static_cast<std::uint64_t>(board.bus));
-    entry.add("address", static_cast<std::uint64_t>(board.address));
-    entry.add("high_speed", board.highSpeed);
-    entry.add("trouble", board.trouble);
+    entry.add("name", device.name());
+    entry.add("serial", device.serial);
+    entry.add("port", device.port);
+    entry.add("product", device.product);
+    entry.add("bus", static_cast<std::uint64_t>(device.bus));
+    entry.add("address", static_cast<std::uint64_t>(device.address));
+    entry.add("high_speed", device.highSpeed);
+    entry.add("state", nameOf(device.state));
+    entry.add("trouble", device.trouble);
   }
   return list;
 }
 
-void printTable(const std::vector<usb::ListedBoard>& boards) {
-  std::cout << "devices\n  sim                 the simulated arm, of any description\n";
-  printBoards(boards);
+void printTable(const std::vector<PluggedDevice>& devices) {
+  printDevices(std::cout, devices);
   std::cout << "descriptions built in\n";
   for (const BuiltInDescription& builtIn : builtInDescriptions()) {
     const std::string name(builtIn.name);
@@ -55,9 +49,9 @@ void printTable(const std::vector<usb::ListedBoard>& boards) {
 }
 
 int listDevices(const DeviceListOptions& options) {
-  const std::vector<usb::ListedBoard> boards = usb::listBoards();
+  const std::vector<PluggedDevice> devices = pluggedDevices(options.firmware);
   if (!options.json) {
-    printTable(boards);
+    printTable(devices);
     if (!std::cout) throw CommandFailure(kCouldNot, "standard output cannot be written");
     return kGood;
   }
@@ -69,7 +63,8 @@ int listDevices(const DeviceListOptions& options) {
   }
   Report report;
   report.add("devices", Report::Names{"sim"});
-  report.add("usb", listOf(boards));
+  for (const PluggedKind kind : {PluggedKind::board, PluggedKind::falcon, PluggedKind::spaceMouse})
+    report.add(keywordOf(kind), listOf(devices, kind));
   report.add("descriptions", descriptions);
   report.print(true);
   return kGood;
@@ -79,8 +74,11 @@ int listDevices(const DeviceListOptions& options) {
 
 void addDeviceListCommand(const Command& device) {
   const auto options = std::make_shared<DeviceListOptions>();
-  const Command list = device.add("list", "What there is: devices and built-in descriptions",
+  const Command list = device.add("list", "What is plugged in and whether it can be used; built-in descriptions",
                                   [options] { return listDevices(*options); });
+  list.path("--firmware", options->firmware,
+            "The Falcon's firmware, to see whether it can be one; without this, ~/.local/share/haptiv/falcon.bin")
+      .type("FILE");
   list.json(options->json);
 }
 

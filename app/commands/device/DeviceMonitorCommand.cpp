@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/commands/DeviceName.h"
 #include "app/commands/ExitCode.h"
 #include "app/commands/HeldSignals.h"
 #include "app/commands/Report.h"
@@ -124,7 +125,9 @@ Report reportOf(const UsbDevice& device, const std::string& serial, double secon
 
 int monitor(const MonitorOptions& options) {
   if (!isBoard(options.device))
-    throw CommandFailure(kWrongUsage, "--device " + options.device + ": give usb or usb:SERIAL");
+    throw CommandFailure(kWrongUsage,
+                         "--device " + options.device + ": give usb or usb:WHICH, as haptiv device list names them");
+  refuseWithoutName(options.device);
   const HeldSignals signals;
   UsbDeviceChoice choice{boardSerialOf(options.device), std::nullopt, true};
   UsbDevice device(loadDeviceDescription(options.description), choice);
@@ -160,7 +163,8 @@ void addDeviceMonitorCommand(const Command& device) {
                                             [options] { return monitor(*options); });
   monitorCommand.path("DESCRIPTION", options->description, "Of the arm: a built-in name, or a file (.toml)")
       .showDefault();
-  monitorCommand.text("--device", options->device, "The board: usb, the only one, or usb:SERIAL")
+  monitorCommand
+      .text("--device", options->device, "The board: usb, the only one, or usb:WHICH, by serial number or port")
       .type("NAME")
       .showDefault();
   monitorCommand.number("--seconds", options->seconds, kLengths, "How long; until Ctrl-C").type("S");

@@ -3,7 +3,7 @@
 #include <QActionGroup>
 #include <exception>
 
-#include "device/usb/host/BoardList.h"
+#include "app/window/operator/DeviceText.h"
 
 namespace haptiv {
 
@@ -18,20 +18,37 @@ DeviceMenu::DeviceMenu(QWidget* parent) : QMenu(tr("D&evice"), parent), group_(n
 void DeviceMenu::refresh() {
   clear();
   offer("sim", tr("Simulated arm"), {});
-  addSection(tr("Interface boards"));
-  bool isChosenThere = chosen_ == "sim";
   try {
-    const std::vector<usb::ListedBoard> boards = usb::listBoards();
-    for (const usb::ListedBoard& board : boards) {
-      const QString device = "usb:" + QString::fromStdString(board.serial);
-      offer(device, QString::fromStdString(board.product + " " + board.serial), QString::fromStdString(board.trouble));
-      isChosenThere = isChosenThere || device == chosen_;
-    }
-    if (boards.empty()) addAction(tr("None is plugged in"))->setEnabled(false);
+    const std::vector<PluggedDevice> devices = pluggedDevices(firmware_.toStdString());
+    list(devices, PluggedKind::board, tr("Interface boards"));
+    list(devices, PluggedKind::falcon, tr("Novint Falcons"));
+    list(devices, PluggedKind::spaceMouse, tr("SpaceMice: Session > Hand held by"));
   } catch (const std::exception& error) {
     addAction(QString::fromUtf8(error.what()))->setEnabled(false);
   }
-  if (!isChosenThere) offer(chosen_, chosen_.mid(4), tr("It is not plugged in"));
+  if (group_->checkedAction() == nullptr)
+    offer(chosen_, chosen_.section(':', 1) + notPluggedIn(), tr("Plug it in, or choose another device"));
+  addSeparator();
+  QAction* firmware = addAction(tr("Falcon's firmware..."));
+  firmware->setObjectName("firmwareAction");
+  firmware->setToolTip(tr("Choose the firmware file out of the Falcon's driver package; it is remembered"));
+  connect(firmware, &QAction::triggered, this, &DeviceMenu::firmwareWanted);
+}
+
+void DeviceMenu::list(const std::vector<PluggedDevice>& devices, PluggedKind kind, const QString& title) {
+  addSection(title);
+  bool isAny = false;
+  for (const PluggedDevice& device : devices) {
+    if (device.kind != kind) continue;
+    isAny = true;
+    const QString trouble = QString::fromStdString(device.trouble);
+    if (kind == PluggedKind::spaceMouse) {
+      addAction(textOf(device))->setEnabled(false);
+    } else {
+      offer(QString::fromStdString(device.name()), textOf(device), trouble);
+    }
+  }
+  if (!isAny) addAction(tr("None is plugged in"))->setEnabled(false);
 }
 
 void DeviceMenu::offer(const QString& device, const QString& text, const QString& trouble) {

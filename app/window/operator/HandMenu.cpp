@@ -1,24 +1,73 @@
 #include "app/window/operator/HandMenu.h"
 
 #include <QActionGroup>
+#include <exception>
+
+#include "app/window/operator/DeviceText.h"
 
 namespace haptiv {
 
-HandMenu::HandMenu(QWidget* parent) : QMenu(tr("Hand &held by"), parent) {
+HandMenu::HandMenu(QWidget* parent)
+    : QMenu(tr("Hand &held by"), parent), ways_(new QActionGroup(this)), mice_(new QActionGroup(this)) {
   setObjectName("handMenu");
-  auto* group = new QActionGroup(this);
-  add(group, "mouseHandAction", tr("Mouse: the ball follows it"), {});
-  add(group, "spaceMouseVelocityAction", tr("SpaceMouse: the cap says how fast"), SpaceMouseHand::Mode::velocity);
-  add(group, "spaceMousePositionAction", tr("SpaceMouse: the cap says how far"), SpaceMouseHand::Mode::position);
-  group->actions().front()->setChecked(true);
+  setToolTipsVisible(true);
+  offerWay("mouseHandAction", tr("Mouse: the ball follows it"), {});
+  offerWay("spaceMouseVelocityAction", tr("SpaceMouse: the cap says how fast"), SpaceMouseHand::Mode::velocity);
+  offerWay("spaceMousePositionAction", tr("SpaceMouse: the cap says how far"), SpaceMouseHand::Mode::position);
+  ways_->actions().front()->setChecked(true);
+  connect(this, &QMenu::aboutToShow, this, &HandMenu::refresh);
 }
 
-void HandMenu::add(QActionGroup* group, const char* name, const QString& text, const HandInput& input) {
-  QAction* item = group->addAction(text);
+/// What is chosen stays in the menu, plugged in or not: a session says what is wrong.
+void HandMenu::refresh() {
+  clear();
+  addActions(ways_->actions());
+  addSection(tr("Which SpaceMouse"));
+  try {
+    bool isAny = false;
+    for (const PluggedDevice& device : pluggedDevices()) {
+      if (device.kind != PluggedKind::spaceMouse) continue;
+      if (!isAny) offerMouse({}, tr("The only one that is plugged in"), {});
+      isAny = true;
+      offerMouse(QString::fromStdString(device.which), textOf(device), QString::fromStdString(device.trouble));
+    }
+    if (!isAny) addAction(tr("None is plugged in"))->setEnabled(false);
+  } catch (const std::exception& error) {
+    addAction(QString::fromUtf8(error.what()))->setEnabled(false);
+  }
+  if (mice_->checkedAction() == nullptr && !which_.isEmpty())
+    offerMouse(which_, which_ + notPluggedIn(), tr("Plug it in, or choose another one"));
+}
+
+void HandMenu::offerWay(const char* name, const QString& text, std::optional<SpaceMouseHand::Mode> mode) {
+  QAction* item = ways_->addAction(text);
   item->setObjectName(name);
   item->setCheckable(true);
   addAction(item);
-  connect(item, &QAction::triggered, this, [this, input] { emit chosen(input); });
+  // By way of the group: a menu that is cleared cuts its items' connections with itself.
+  connect(item, &QAction::triggered, ways_, [this, mode] {
+    mode_ = mode;
+    tell();
+  });
+}
+
+void HandMenu::offerMouse(const QString& which, const QString& text, const QString& trouble) {
+  QAction* item = addAction(text);
+  item->setObjectName("spaceMouse:" + which + "Action");
+  item->setActionGroup(mice_);
+  item->setCheckable(true);
+  item->setChecked(which == which_);
+  item->setToolTip(trouble);
+  connect(item, &QAction::triggered, this, [this, which] {
+    which_ = which;
+    if (!mode_) ways_->actions().at(1)->setChecked(true);  // whoever chooses one wants to use it
+    mode_ = mode_.value_or(SpaceMouseHand::Mode::velocity);
+    tell();
+  });
+}
+
+void HandMenu::tell() {
+  emit chosen(mode_ ? HandInput(SpaceMouseChoice{*mode_, which_.toStdString()}) : HandInput());
 }
 
 }  // namespace haptiv

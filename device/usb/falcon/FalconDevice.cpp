@@ -1,11 +1,13 @@
 #include "device/usb/falcon/FalconDevice.h"
 
+#include <atomic>
 #include <stdexcept>
 #include <thread>
 #include <utility>
 
 #include "device/Nonblocking.h"
 #include "device/usb/falcon/FalconFirmware.h"
+#include "device/usb/falcon/FalconPort.h"
 #include "device/usb/host/SilenceGuard.h"
 #include "device/usb/libusb/UsbLink.h"
 
@@ -17,10 +19,6 @@ using namespace std::chrono_literals;
 constexpr double kShortestPeriod = 1e-3, kLongestPeriod = 0.1;  // [s]
 constexpr std::chrono::milliseconds kLastWord = 20ms;           // to say that no torque is wanted
 constexpr std::chrono::milliseconds kLook = 5ms;
-
-usb::UsbKind falconKind() {
-  return {"Novint Falcon", {{0x0403, 0xcb48}}, 0};
-}
 
 void expectPossible(double period) {
   if (period >= kShortestPeriod * (1 - 1e-9) && period <= kLongestPeriod) return;
@@ -53,7 +51,8 @@ struct FalconDevice::Parts {
   usb::SilenceGuard guard{kShortestPeriod};
   falcon::Seen seen;
   DeviceReading reading;
-  bool fresh = false;  // a new state since the last write
+  bool fresh = false;                      // a new state since the last write
+  std::atomic<std::uint16_t> pressed = 0;  // at the host
 };
 
 void FalconDevice::Parts::waitUntilHomed() {
@@ -61,6 +60,7 @@ void FalconDevice::Parts::waitUntilHomed() {
   const auto end = Clock::now() + choice.homingTime;
   for (bool told = false; !(client.newest(seen) && seen.homing == falcon::Homing::homed);) {
     if (!client.isThere()) throw std::runtime_error("the Falcon has left while it was homed: " + link->trouble());
+    if (choice.cancelled.stop_requested()) throw std::runtime_error("the Falcon was not homed: cancelled");
     if (!told && seen.number > 0 && choice.tell)
       choice.tell("Falcon: pull the grip all the way out, then push it in, until its light is blue");
     told = told || seen.number > 0;
@@ -87,7 +87,7 @@ void FalconDevice::start(double period) {
   expectPossible(period);
   Parts& p = *parts_;
   if (p.link) return;
-  p.link = std::make_unique<usb::UsbLink>(falconKind(), p.choice.serial, p.client);
+  p.link = std::make_unique<usb::UsbLink>(falcon::usbKind(), p.choice.which, p.client);
   try {
     p.link->open();
     p.waitUntilHomed();
@@ -107,15 +107,18 @@ DeviceReading FalconDevice::read() noexcept {
     p.fresh = true;
   }
   if (!p.client.isThere() || !p.guard.answers()) p.reading.connected = false;
-  return p.reading;
+  DeviceReading reading = p.reading;
+  reading.inputs |= p.pressed & (kInputEmergencyStops | kInputReset);
+  return reading;
 }
 
 void FalconDevice::write(const DeviceCommand& command) noexcept {
   Parts& p = *parts_;
   if (!p.link) return;
   p.guard.tick(std::exchange(p.fresh, false));
+  const bool stopped = (p.pressed & kInputEmergencyStops) != 0;
   const DeviceIo io;
-  p.client.write(p.guard.restrain(command));
+  p.client.write(p.guard.restrain(stopped ? DeviceCommand{} : command));
   p.link->wake();
 }
 
@@ -127,6 +130,10 @@ void FalconDevice::stop() {
   const auto end = std::chrono::steady_clock::now() + kLastWord;
   while (!p.client.isStill() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(1ms);
   p.link.reset();
+}
+
+void FalconDevice::press(std::uint16_t inputs) noexcept {
+  parts_->pressed = inputs;
 }
 
 falcon::Figures FalconDevice::figures() const {

@@ -3,20 +3,23 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include "device/DeviceDescription.h"
 #include "device/HapticDevice.h"
+#include "device/HostButtons.h"
 #include "device/usb/falcon/FalconClient.h"
 
 namespace haptiv {
 
 /// Which Falcon, and what it is set up with.
 struct FalconChoice {
-  std::string serial;                            ///< empty: the only one there is
+  std::string which;                             ///< serial number or port; empty: the only one there is
   std::string firmware;                          ///< file; empty: falcon::firmwarePath()
   std::function<void(const std::string&)> tell;  ///< gets what the operator has to do meanwhile; may be empty
   std::chrono::seconds homingTime{60};           ///< that the operator has for it
+  std::stop_token cancelled;                     ///< asks to give up waiting for the operator
 };
 
 /// A Novint Falcon over USB; docs/falcon.md: what is known of it, and what nobody could verify.
@@ -24,7 +27,7 @@ struct FalconChoice {
 /// An impedance-type device: a command's torques go to its three motors, a command by rates drives nothing. It has no
 /// brakes and no safety circuit of its own: whatever stops it is the host, so a host that dies leaves the last torque
 /// standing for as long as the firmware does, which is not known.
-class FalconDevice : public HapticDevice {
+class FalconDevice : public HapticDevice, public HostButtons {
  public:
   /// Throws std::runtime_error where the description's arm is no Falcon.
   explicit FalconDevice(const DeviceDescription& description, FalconChoice choice = {});
@@ -38,6 +41,9 @@ class FalconDevice : public HapticDevice {
   void write(const DeviceCommand& command) noexcept override;
   /// Waits until an order without torque has gone out, 20 ms at most.
   void stop() override;
+
+  /// An emergency stop takes the torque away with the next order, and is in the readings.
+  void press(std::uint16_t inputs) noexcept override;
 
   falcon::Figures figures() const;  ///< thread: any but the servo's
 

@@ -13,7 +13,8 @@ namespace {
 constexpr std::uintmax_t kSmallest = 1024, kLargest = 256 * 1024;  // [bytes]
 
 const char* const kWhatToDo =
-    "; give the firmware file of the Falcon's own driver package, see docs/falcon.md, by --firmware FILE";
+    "; give the firmware file of the Falcon's own driver package, see docs/falcon.md: by --firmware FILE, or in the "
+    "window by Session > Device > Falcon's firmware";
 
 bool isText(const std::vector<std::uint8_t>& bytes) {
   return std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t byte) {
@@ -24,6 +25,11 @@ bool isText(const std::vector<std::uint8_t>& bytes) {
 std::string environment(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? "" : value;
+}
+
+std::filesystem::path keptPath() {
+  const std::string home = environment("XDG_DATA_HOME");
+  return (home.empty() ? environment("HOME") + "/.local/share" : home) + "/haptiv/falcon.bin";
 }
 
 }  // namespace
@@ -43,10 +49,23 @@ std::vector<std::uint8_t> readFirmware(const std::string& path) {
   return bytes;
 }
 
+std::string keepFirmware(const std::string& path) {
+  const std::vector<std::uint8_t> bytes = readFirmware(path);
+  const std::filesystem::path place = keptPath(), beside = place.string() + ".new";
+  std::error_code error;
+  std::filesystem::create_directories(place.parent_path(), error);  // whether it could, the file tells
+  std::ofstream file(beside, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (file) std::filesystem::rename(beside, place, error);
+  if (!file || error)
+    throw std::runtime_error(place.string() + ": the firmware file cannot be kept there; check permissions and space");
+  return place;
+}
+
 std::string firmwarePath() {
-  if (const std::string named = environment("HAPTIV_FALCON_FIRMWARE"); !named.empty()) return named;
-  const std::string home = environment("XDG_DATA_HOME");
-  return (home.empty() ? environment("HOME") + "/.local/share" : home) + "/haptiv/falcon.bin";
+  const std::string named = environment("HAPTIV_FALCON_FIRMWARE");
+  return named.empty() ? keptPath().string() : named;
 }
 
 }  // namespace haptiv::falcon

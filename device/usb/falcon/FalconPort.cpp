@@ -16,6 +16,10 @@ constexpr unsigned kPatience = 1000;           // [ms]
 
 }  // namespace
 
+usb::UsbKind usbKind() {
+  return {"Novint Falcon", {{0x0403, 0xcb48}}, 0};
+}
+
 void Port::control(std::uint8_t request, std::uint16_t value, std::uint16_t index) {
   handle_.controlOut({kVendorRequest, request, value, index}, {}, "set up the serial chip of");
 }

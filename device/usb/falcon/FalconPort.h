@@ -9,6 +9,9 @@ namespace haptiv::falcon {
 
 inline constexpr std::uint8_t kInEndpoint = 0x81, kOutEndpoint = 0x02;  ///< both bulk
 
+/// How it is found.
+usb::UsbKind usbKind();
+
 /// The serial chip over an open USB device that no stream runs on. Throws usb::UsbFailure.
 class Port : public SerialPort {
  public:

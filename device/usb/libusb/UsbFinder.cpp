@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <tuple>
-
-#include "device/usb/libusb/UsbFailure.h"
 
 namespace haptiv::usb {
 
@@ -23,11 +20,20 @@ std::string textOf(libusb_device_handle* handle, std::uint8_t index) {
   return result;
 }
 
+/// "1-4.2"; the bus alone where libusb does not know the port.
+std::string portOf(libusb_device* device) {
+  std::array<std::uint8_t, 7> ports{};  // USB has no more hubs in a row
+  const int count = libusb_get_port_numbers(device, ports.data(), static_cast<int>(ports.size()));
+  std::string text = std::to_string(libusb_get_bus_number(device));
+  for (int i = 0; i < count; ++i) text += (i == 0 ? "-" : ".") + std::to_string(ports[static_cast<std::size_t>(i)]);
+  return text;
+}
+
 void readTexts(FoundUsb& found, const libusb_device_descriptor& descriptor, const UsbKind& kind) {
   libusb_device_handle* handle = nullptr;
   const int opened = libusb_open(found.device.get(), &handle);
   if (opened < 0) {
-    found.trouble = failureOf(opened, "open", found.describedAs(kind)).what();
+    found.trouble = failureOf(opened, "open", found.describedAs(kind));
     return;
   }
   found.serial = textOf(handle, descriptor.iSerialNumber);
@@ -43,17 +49,29 @@ std::optional<FoundUsb> look(libusb_device* device, const UsbKind& kind) {
   if (std::find(kind.ids.begin(), kind.ids.end(), found.id) == kind.ids.end()) return std::nullopt;
   found.bus = libusb_get_bus_number(device);
   found.address = libusb_get_device_address(device);
+  found.port = portOf(device);
   found.highSpeed = libusb_get_device_speed(device) >= LIBUSB_SPEED_HIGH;
   found.device = {libusb_ref_device(device), libusb_unref_device};
   readTexts(found, descriptor, kind);
   return found;
 }
 
-std::string serialsOf(const std::vector<FoundUsb>& all) {
+std::string namesOf(const std::vector<FoundUsb>& these, const std::vector<FoundUsb>& all) {
   std::string text;
-  for (const FoundUsb& found : all)
-    text += (text.empty() ? "" : ", ") + (found.serial.empty() ? std::string("(no number)") : found.serial);
+  for (const FoundUsb& found : these) text += (text.empty() ? "" : ", ") + nameAmong(all, found);
   return text;
+}
+
+/// A serial number comes first: it is the same in every port.
+std::vector<FoundUsb> thoseMeant(const std::vector<FoundUsb>& all, const std::string& which) {
+  if (which.empty()) return all;
+  std::vector<FoundUsb> meant;
+  for (const FoundUsb& found : all)
+    if (found.serial == which) meant.push_back(found);
+  if (!meant.empty()) return meant;
+  for (const FoundUsb& found : all)
+    if (found.port == which) meant.push_back(found);
+  return meant;
 }
 
 }  // namespace
@@ -76,21 +94,24 @@ std::vector<FoundUsb> findUsb(const UsbContext& context, const UsbKind& kind) {
   return all;
 }
 
-FoundUsb findOne(const UsbContext& context, const UsbKind& kind, const std::string& serial) {
+std::string nameAmong(const std::vector<FoundUsb>& all, const FoundUsb& one) {
+  const auto same = std::count_if(all.begin(), all.end(), [&](const auto& each) { return each.serial == one.serial; });
+  return one.serial.empty() || same > 1 ? one.port : one.serial;
+}
+
+FoundUsb findOne(const UsbContext& context, const UsbKind& kind, const std::string& which) {
   const std::vector<FoundUsb> all = findUsb(context, kind);
   if (all.empty())
     throw UsbFailure(UsbTrouble::notFound, "there is no " + kind.name + ": plug one in and switch it on");
-  std::vector<FoundUsb> meant;
-  for (const FoundUsb& found : all)
-    if (serial.empty() || found.serial == serial) meant.push_back(found);
-  if (meant.size() == 1 && meant.front().trouble.empty()) return meant.front();
+  const std::vector<FoundUsb> meant = thoseMeant(all, which);
+  if (meant.size() == 1 && !meant.front().trouble) return meant.front();
   for (const FoundUsb& found : meant.empty() ? all : meant)
-    if (!found.trouble.empty()) throw UsbFailure(UsbTrouble::noPermission, found.trouble);
+    if (found.trouble) throw *found.trouble;
   if (meant.empty())
-    throw UsbFailure(UsbTrouble::notFound, "there is no " + kind.name + " with the serial number " + serial +
-                                               "; there is: " + serialsOf(all) + ". Choose one of these");
+    throw UsbFailure(UsbTrouble::notFound, "there is no " + kind.name + " with the serial number or at the port " +
+                                               which + "; there is: " + namesOf(all, all) + ". Choose one of these");
   throw UsbFailure(UsbTrouble::ambiguous, "there are several of the kind " + kind.name +
-                                              ": choose one by its serial number: " + serialsOf(meant));
+                                              ": choose one, by its serial number or port: " + namesOf(meant, all));
 }
 
 }  // namespace haptiv::usb

@@ -41,8 +41,8 @@ struct UsbLink::HotPlug {
   bool arrived = false, left = false;
 };
 
-UsbLink::UsbLink(UsbKind kind, std::string serial, UsbClient& client)
-    : kind_(std::move(kind)), serial_(std::move(serial)), client_(client), events_(context_) {}
+UsbLink::UsbLink(UsbKind kind, std::string which, UsbClient& client)
+    : kind_(std::move(kind)), which_(std::move(which)), client_(client), events_(context_) {}
 
 UsbLink::~UsbLink() {
   close();
@@ -78,13 +78,14 @@ void UsbLink::close() {
 
 /// Opens the device and makes it ready; what is open at the end of a failure, the caller closes.
 void UsbLink::connect() {
-  const FoundUsb found = findOne(context_, kind_, serial_);
+  const FoundUsb found = findOne(context_, kind_, which_);
   hotPlug_->left = false;
   hotPlug_->mine = found.device.get();
   handle_ = std::make_unique<UsbHandle>(found, kind_);
   endpoints_ = client_.prepare(*handle_);
   const std::lock_guard lock(mutex_);
-  openedSerial_ = serial_ = found.serial;
+  openedSerial_ = found.serial;
+  if (which_.empty()) which_ = found.serial;
   trouble_.clear();
 }
 

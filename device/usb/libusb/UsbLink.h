@@ -15,7 +15,8 @@
 namespace haptiv::usb {
 
 /// One device of a kind, kept at hand: opened, streamed by a thread of its own, let go when it leaves, and opened again
-/// when it is plugged in again (the same serial number, whatever the port). One client, several links can exist.
+/// when it is plugged in again: the same serial number, whatever the port, or, if it was chosen by its port, in that.
+/// One client, several links can exist.
 ///
 ///     plugged in -> open, claim, client.prepare -> packets
 ///     unplugged  -> client.lost, every transfer back, release, close -> waits for the next time
@@ -23,8 +24,8 @@ namespace haptiv::usb {
 /// Thread: construct, open, close and destroy on one.
 class UsbLink {
  public:
-  /// @param serial  of the device; empty: the only one there is
-  UsbLink(UsbKind kind, std::string serial, UsbClient& client);
+  /// @param which  its serial number or port; empty: the only one there is
+  UsbLink(UsbKind kind, std::string which, UsbClient& client);
   ~UsbLink();
   UsbLink(const UsbLink&) = delete;
   UsbLink& operator=(const UsbLink&) = delete;
@@ -64,7 +65,7 @@ class UsbLink {
   void tell(const std::string& trouble);
 
   UsbKind kind_;
-  std::string serial_;  // once opened, that of the device
+  std::string which_;  // once opened, the device's serial number, if it has one and nothing was chosen
   UsbClient& client_;
   UsbContext context_;
   UsbEvents events_;

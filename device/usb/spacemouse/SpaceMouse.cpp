@@ -12,12 +12,6 @@ namespace {
 
 constexpr std::uint8_t kReports = 0x81;  // endpoint
 
-usb::UsbKind spaceMouseKind() {
-  usb::UsbKind kind{"SpaceMouse", {}, 0};
-  for (const SpaceMouseModel& model : spaceMouseModels()) kind.ids.push_back({model.vendor, model.product});
-  return kind;
-}
-
 /// The link's side.
 class Client : public usb::UsbClient {
  public:
@@ -50,13 +44,13 @@ class Client : public usb::UsbClient {
 }  // namespace
 
 struct SpaceMouse::Parts {
-  explicit Parts(const std::string& serial) : link(spaceMouseKind(), serial, client) { link.open(); }
+  explicit Parts(const std::string& which) : link(spaceMouseKind(), which, client) { link.open(); }
 
   Client client;
   usb::UsbLink link;
 };
 
-SpaceMouse::SpaceMouse(const std::string& serial) : parts_(std::make_unique<Parts>(serial)) {}
+SpaceMouse::SpaceMouse(const std::string& which) : parts_(std::make_unique<Parts>(which)) {}
 
 SpaceMouse::~SpaceMouse() = default;
 

@@ -13,8 +13,8 @@ namespace haptiv {
 class SpaceMouse {
  public:
   /// Opens it. Throws usb::UsbFailure: none is there, no permission, another program holds it; and what to do.
-  /// @param serial  which one; empty: the only one there is
-  explicit SpaceMouse(const std::string& serial = {});
+  /// @param which  its serial number, or, as most have none, its port; empty: the only one there is
+  explicit SpaceMouse(const std::string& which = {});
   ~SpaceMouse();
 
   /// How it stands now. Never waits.

@@ -22,6 +22,12 @@ std::span<const SpaceMouseModel> spaceMouseModels() noexcept {
   return kModels;
 }
 
+usb::UsbKind spaceMouseKind() {
+  usb::UsbKind kind{"SpaceMouse", {}, 0};
+  for (const SpaceMouseModel& model : spaceMouseModels()) kind.ids.push_back({model.vendor, model.product});
+  return kind;
+}
+
 const SpaceMouseModel* spaceMouseModel(std::uint16_t vendor, std::uint16_t product) noexcept {
   const auto models = spaceMouseModels();
   const auto found = std::find_if(models.begin(), models.end(), [&](const SpaceMouseModel& model) {

@@ -6,6 +6,8 @@
 #include <Inventor/elements/SoProfileCoordinateElement.h>
 #include <Inventor/fields/SoSFBool.h>
 #include <Inventor/lists/SoNodeList.h>
+#include <Inventor/nodes/SoIndexedNurbsSurface.h>
+#include <Inventor/nodes/SoNurbsSurface.h>
 #include <Inventor/nodes/SoText3.h>
 #include <Inventor/nodes/SoVertexShape.h>
 
@@ -32,7 +34,9 @@ MeshSource MeshSource::of(const SoNode* shape, const SoCallbackAction& action) {
   source.faceType = action.getFaceType();
   source.nodes = {shape->getNodeId()};
   SoState* state = action.getState();
-  if (shape->isOfType(SoVertexShape::getClassTypeId()))
+  const bool isNurbs =
+      shape->isOfType(SoNurbsSurface::getClassTypeId()) || shape->isOfType(SoIndexedNurbsSurface::getClassTypeId());
+  if (isNurbs || shape->isOfType(SoVertexShape::getClassTypeId()))
     source.nodes.push_back(SoCoordinateElement::getInstance(state)->getNodeId());
   if (shape->isOfType(SoVertexShape::getClassTypeId()) || shape->isOfType(SoVRMLGeometry::getClassTypeId()))
     return source;

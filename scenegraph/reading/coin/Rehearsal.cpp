@@ -5,6 +5,7 @@
 #include <Inventor/actions/SoCallbackAction.h>
 #include <Inventor/actions/SoGetBoundingBoxAction.h>
 #include <Inventor/actions/SoGetPrimitiveCountAction.h>
+#include <Inventor/elements/SoComplexityElement.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoShape.h>
 
@@ -15,6 +16,7 @@
 #include "scenegraph/NodeRef.h"
 #include "scenegraph/reading/coin/CoinMessages.h"
 #include "scenegraph/reading/graph/GraphWalk.h"
+#include "scenegraph/reading/graph/NurbsRules.h"
 #include "scenegraph/reading/graph/NurbsSwitch.h"
 #include "scenegraph/reading/graph/ShapeIndices.h"
 #include "scenegraph/writing/GraphText.h"
@@ -50,8 +52,9 @@ NodeRef<SoSeparator> read(const std::string& bytes) {
   return NodeRef<SoSeparator>(SoDB::readAll(&input));
 }
 
-SoCallbackAction::Response tellShape(void*, SoCallbackAction*, const SoNode* node) {
+SoCallbackAction::Response tellShape(void*, SoCallbackAction* action, const SoNode* node) {
   tellProgress("goes through " + describe(node));
+  if (isNurbs(node)) SoComplexityElement::set(action->getState(), 1);  // as they are felt
   return SoCallbackAction::CONTINUE;
 }
 
@@ -81,7 +84,7 @@ Isolated rehearse(const std::string& text) {
     const CoinMessages silence{std::string()};
     const auto root = read(text);
     if (!root) return std::string();
-    switchOffNurbs(root.get());
+    switchOffTrimmedNurbs(root.get());
     if (expansionFault(root.get()).why.empty() && !hasErrors(shapeIndexFaults(root.get()))) goThrough(root.get());
     return std::string();
   });

@@ -39,11 +39,6 @@ void bind(Attribute& attribute, int binding) {
   }
 }
 
-/// An empty list leaves what was in force.
-void replaceCount(std::int64_t& count, int values) {
-  if (values > 0) count = values;
-}
-
 void take(Attribute& attribute, const SoMField& values) {
   attribute.count = values.getNum();
   attribute.values = &values;
@@ -54,7 +49,10 @@ void takeIfAny(Attribute& attribute, const SoMField& values) {
 }
 
 void takeVertices(AttributesInForce& state, const SoVertexProperty& node) {
-  replaceCount(state.coordinates, node.vertex.getNum());
+  if (node.vertex.getNum() > 0) {  // an empty list leaves what was in force
+    state.coordinates = node.vertex.getNum();
+    state.points = &node.vertex;
+  }
   takeIfAny(state.textureCoordinates, node.texCoord.getNum() > node.texCoord3.getNum()
                                           ? static_cast<const SoMField&>(node.texCoord)
                                           : node.texCoord3);
@@ -73,8 +71,10 @@ void takeVertices(AttributesInForce& state, const SoVertexProperty& node) {
 void AttributesInForce::update(const SoNode* node) {
   if (const auto* three = dynamic_cast<const SoCoordinate3*>(node)) {
     coordinates = three->point.getNum();
+    points = &three->point;
   } else if (const auto* four = dynamic_cast<const SoCoordinate4*>(node)) {
     coordinates = four->point.getNum();
+    points = nullptr;
   } else if (const auto* normal = dynamic_cast<const SoNormal*>(node)) {
     take(normals, normal->vector);
   } else if (const auto* material = dynamic_cast<const SoMaterial*>(node)) {

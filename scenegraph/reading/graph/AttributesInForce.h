@@ -4,6 +4,7 @@
 
 #include "scenegraph/reading/graph/ShapeReach.h"
 
+class SoMFVec3f;
 class SoMField;
 class SoNode;
 
@@ -20,6 +21,7 @@ struct Attribute {
 /// What a shape takes its vertices from, at one place of the graph: Coin's elements, as counts.
 struct AttributesInForce {
   std::int64_t coordinates = 0;
+  const SoMFVec3f* points = nullptr;  ///< the coordinates themselves; null: there are none, or they have four numbers
   Attribute normals;
   Attribute materials{1, Per::shape, false, nullptr};
   Attribute textureCoordinates;

@@ -4,25 +4,17 @@
 #include <Inventor/fields/SoSFNode.h>
 #include <Inventor/lists/SoFieldList.h>
 #include <Inventor/nodes/SoGroup.h>
-#include <Inventor/nodes/SoIndexedNurbsCurve.h>
-#include <Inventor/nodes/SoIndexedNurbsSurface.h>
-#include <Inventor/nodes/SoNurbsCurve.h>
-#include <Inventor/nodes/SoNurbsSurface.h>
+#include <Inventor/nodes/SoProfile.h>
 #include <Inventor/nodes/SoSwitch.h>
+
+#include <algorithm>
 
 #include "scenegraph/NodeRef.h"
 #include "scenegraph/reading/graph/GraphWalk.h"
+#include "scenegraph/reading/graph/NurbsRules.h"
 
 namespace haptiv {
 namespace {
-
-bool isNurbs(const SoNode* node) {
-  for (const SoType type : {SoNurbsSurface::getClassTypeId(), SoIndexedNurbsSurface::getClassTypeId(),
-                            SoNurbsCurve::getClassTypeId(), SoIndexedNurbsCurve::getClassTypeId()}) {
-    if (node && node->isOfType(type)) return true;
-  }
-  return false;
-}
 
 void replaceChildren(SoGroup* group) {
   for (int i = 0; i < group->getNumChildren(); ++i) {
@@ -49,11 +41,13 @@ void clearFields(SoNode* node) {
 
 }  // namespace
 
-std::vector<const SoNode*> switchOffNurbs(SoNode* root) {
+std::vector<const SoNode*> switchOffTrimmedNurbs(SoNode* root) {
   std::vector<const SoNode*> shapes;
   const std::vector<SoNode*> nodes = writtenNodes(root);
+  const bool mayBeTrimmed =
+      std::ranges::any_of(nodes, [](const SoNode* node) { return node->isOfType(SoProfile::getClassTypeId()); });
   for (SoNode* node : nodes) {
-    if (isNurbs(node)) shapes.push_back(node);
+    if (mayBeTrimmed && isNurbs(node)) shapes.push_back(node);
   }
   if (shapes.empty()) return shapes;
   std::vector<NodeRef<SoNode>> kept;  // a field may be the last that holds one

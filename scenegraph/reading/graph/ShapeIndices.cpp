@@ -8,6 +8,7 @@
 #include <Inventor/VRMLnodes/SoVRMLNormal.h>
 #include <Inventor/VRMLnodes/SoVRMLScript.h>
 #include <Inventor/VRMLnodes/SoVRMLTextureCoordinate.h>
+#include <Inventor/nodes/SoFaceSet.h>
 #include <Inventor/nodes/SoIndexedLineSet.h>
 #include <Inventor/nodes/SoIndexedShape.h>
 #include <Inventor/nodes/SoIndexedTriangleStripSet.h>
@@ -15,6 +16,7 @@
 #include <Inventor/nodes/SoLevelOfDetail.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSwitch.h>
+#include <Inventor/nodes/SoTriangleStripSet.h>
 #include <Inventor/nodes/SoVertexProperty.h>
 #include <Inventor/nodes/SoVertexShape.h>
 
@@ -28,6 +30,7 @@
 #include "scenegraph/reading/graph/CrowdedPoints.h"
 #include "scenegraph/reading/graph/GraphWalk.h"
 #include "scenegraph/reading/graph/ListMending.h"
+#include "scenegraph/reading/graph/NurbsRules.h"
 
 namespace haptiv {
 namespace {
@@ -87,6 +90,9 @@ class IndexChecker {
       checkShape(*lines);
     } else if (const auto* grid = dynamic_cast<const SoVRMLElevationGrid*>(node)) {
       checkShape(*grid);
+    } else if (isNurbs(node)) {
+      const std::string fault = nurbsFault(node, state);
+      if (!fault.empty()) say(node, fault);
     } else {
       return false;
     }
@@ -124,6 +130,7 @@ class IndexChecker {
     }
     hold(&shape, "coordinate", reach.coordinates, state.coordinates);
     holdCrowds(&shape, reach);
+    if (!indexed) holdCrowds(shape, reach, state);
     hold(&shape, "normal", reach, state.normals, indexed ? &indexed->normalIndex : nullptr);
     hold(&shape, "material", reach, state.materials, indexed ? &indexed->materialIndex : nullptr);
     hold(&shape, "texture coordinate", reach, state.textureCoordinates,
@@ -202,6 +209,17 @@ class IndexChecker {
     if (!isSound_ || !reach.coordIndex || reach.isLines || !reach.fault.empty()) return;
     const std::string fault = crowds_.add(node, *reach.coordIndex);
     if (!fault.empty()) say(node, fault);
+  }
+
+  /// Of a shape without indices; where it has normals, Coin makes none.
+  void holdCrowds(const SoVertexShape& shape, const ShapeReach& reach, const AttributesInForce& state) {
+    const bool hasFaces =
+        shape.isOfType(SoFaceSet::getClassTypeId()) || shape.isOfType(SoTriangleStripSet::getClassTypeId());
+    if (!isSound_ || !hasFaces || !reach.fault.empty() || !state.points || state.normals.count > 0) return;
+    const std::int64_t first = reach.coordinates - reach.vertices;
+    if (first < 0 || reach.coordinates > state.points->getNum()) return;
+    const std::string fault = crowds_.add(&shape, *state.points, first, reach.vertices);
+    if (!fault.empty()) say(&shape, fault);
   }
 
   void say(const SoNode* node, std::string message, Diagnostic::Severity severity = Diagnostic::Severity::error) {

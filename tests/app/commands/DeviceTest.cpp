@@ -16,21 +16,39 @@ using Json = nlohmann::json;
 
 }  // namespace
 
-TEST(Device, ListNamesOnlyWhatIsThere) {
+TEST(Device, ListNamesOnlyWhatIsThereAndSaysWhatToDo) {
   const Ended table = runHaptiv({"device", "list"});
   EXPECT_EQ(table.code, 0);
-  for (const char* there : {"sim", "vishard10", "anthropomorphic7", "10 joints", "7 joints", "no interface board"})
+  for (const char* there : {"sim", "vishard10", "anthropomorphic7", "10 joints", "7 joints",
+                            "no interface board, Falcon or SpaceMouse is plugged in. Plug one in"})
     EXPECT_THAT(table.out, HasSubstr(there));
   const Json list = runHaptiv({"device", "list", "--json"}).json();
   EXPECT_EQ(list["devices"], Json::array({"sim"}));
-  EXPECT_EQ(list["usb"], Json::array());
+  for (const char* kind : {"usb", "falcon", "spacemouse"}) EXPECT_EQ(list[kind], Json::array()) << kind;
   EXPECT_THAT(list["descriptions"], Contains(Json({{"name", "anthropomorphic7"}, {"joints", 7}})));
 }
 
 TEST(Device, AsksForOneOfItsCommands) {
-  EXPECT_EQ(runHaptiv({"device"}).code, 2);
-  EXPECT_EQ(runHaptiv({"device", "paint"}).code, 2);
+  const Ended none = runHaptiv({"device"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.err, HasSubstr("list, check, monitor, calibrate, home"));
+  const Ended other = runHaptiv({"device", "paint"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("paint"));
   EXPECT_EQ(runHaptiv({"device", "check", "--strategy", "best"}).code, 2);
+}
+
+TEST(Device, NamesThatSayNotWhichOneAreWrongUsage) {
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"monitor", "--device", "usb:"},
+                                                {"home", "--device", "usb:"},
+                                                {"monitor", "--device", "falcon"},
+                                                {"calibrate", "--device", "falcon"},
+                                                {"calibrate", "falcon"}}) {
+    std::vector<std::string> arguments = wrong;
+    arguments.insert(arguments.begin(), "device");
+    const Ended ended = runHaptiv(arguments);
+    EXPECT_EQ(ended.code, 2) << wrong[0] << ended.err;
+  }
 }
 
 TEST(Device, CheckNamesADescriptionThatIsNotThereOrBad) {

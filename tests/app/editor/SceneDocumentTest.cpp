@@ -87,6 +87,33 @@ TEST(SceneDocument, CompilesAnEditInTheSameTurnOfTheEventLoop) {
   EXPECT_EQ(scene.document.compiled().scene->walls[0].surface.stiffness, 4321);
 }
 
+/// Who feels the scene does not wait for the rules, nor for panels and pictures.
+TEST(SceneDocument, HasAnEditFeltBeforeItIsJudgedAndShown) {
+  EditedScene scene(kTwoWalls);
+  ASSERT_TRUE(scene.select("left"));
+  const auto said = [&] {
+    std::vector<std::string> messages;
+    for (const Diagnostic& each : scene.document.diagnostics()) messages.push_back(each.message);
+    return messages;
+  };
+  const std::vector<std::string> known = said();
+  std::vector<std::string> order;
+  double felt = 0;
+  QObject::connect(&scene.document, &SceneDocument::sceneReady, [&] {
+    order.emplace_back("ready");
+    felt = scene.document.compiled().scene->walls[0].surface.stiffness;
+    EXPECT_EQ(said(), known);
+  });
+  QObject::connect(&scene.document, &SceneDocument::sceneChanged, [&] {
+    order.emplace_back("changed");
+    EXPECT_NE(said(), known) << "1e9 N/m cannot be rendered";
+  });
+  editProperty(scene.document, "stiffness", number(1e9F), Reach::onlyThis);
+  letEventsRun();
+  EXPECT_EQ(felt, 1e9F);
+  EXPECT_EQ(order, (std::vector<std::string>{"ready", "changed"}));
+}
+
 TEST(SceneDocument, KeepsTheLastValidSceneWhileAnEditIsInvalid) {
   EditedScene scene(kTwoWalls);
   const auto valid = scene.document.compiled().scene;

@@ -14,51 +14,12 @@
 
 #include "device/simulated/Miscalibration.h"
 #include "device/simulated/SimulatedDevice.h"
-#include "tests/app/window/Gestures.h"
+#include "tests/app/guide/GuidedFixture.h"
 
 namespace haptiv {
 namespace {
 
 using testing::waitFor;
-
-constexpr std::uint64_t kSeed = 3;
-
-class Guided : public ::testing::Test {
- protected:
-  void open(const DeviceOpener& opener = [](const DeviceDescription& d) { return BrakedDevice::simulated(d, kSeed); }) {
-    dialog_ = std::make_unique<CalibrationDialog>(known_, "vishard10", opener);
-    dialog_->setMeasuringTime(0.42);
-    dialog_->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog_.get()));
-  }
-  template <typename T>
-  T& find(const char* name) {
-    T* found = dialog_->findChild<T*>(name);
-    if (found == nullptr) throw std::runtime_error(std::string("the dialog has no ") + name);
-    return *found;
-  }
-  QString text(const char* label) { return find<QLabel>(label).text(); }
-  void click(const char* button) {
-    auto& widget = find<QPushButton>(button);
-    ASSERT_TRUE(widget.isVisible() && widget.isEnabled()) << button;
-    QTest::mouseClick(&widget, Qt::LeftButton);
-  }
-  /// Measures, until the button can be pressed again or the last page is there.
-  void measure() {
-    click("guideMeasure");
-    EXPECT_FALSE(find<QPushButton>("guideMeasure").isEnabled());
-    ASSERT_TRUE(waitFor([&] { return find<QPushButton>("guideMeasure").isEnabled(); }, 60'000));
-  }
-  /// For people to look at: HAPTIV_PICTURES names a folder.
-  void picture(const char* name) {
-    if (qEnvironmentVariableIsSet("HAPTIV_PICTURES"))
-      dialog_->grab().save(qEnvironmentVariable("HAPTIV_PICTURES") + "/" + name + ".png");
-  }
-
-  DeviceDescription known_ = loadDeviceDescription("vishard10");
-  QTemporaryDir folder_;
-  std::unique_ptr<CalibrationDialog> dialog_;
-};
 
 TEST_F(Guided, FindsZerosBiasAndMatrixAndSavesThem) {
   open();
@@ -142,6 +103,14 @@ TEST_F(Guided, SaysWhatStandsInTheWayOfSaving) {
   click("guideSave");
   EXPECT_TRUE(text("guideResult").contains("cannot be written")) << text("guideResult").toStdString();
   picture("unwritten");
+}
+
+TEST_F(Guided, LeavesOutTheSensorOfADeviceThatHasNone) {
+  known_ = loadDeviceDescription("falcon");
+  open();
+  EXPECT_FALSE(text("guideSteps").contains("Sensor"));
+  measure();
+  EXPECT_TRUE(text("guideTitle").contains("Save")) << text("guideTitle").toStdString();
 }
 
 TEST_F(Guided, FitsOnASmallScreen) {

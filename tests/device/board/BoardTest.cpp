@@ -69,11 +69,23 @@ TEST_F(BoardCommands, MayWrapTheirSequence) {
 
 TEST_F(BoardCommands, OfAHostThatBeginsAnewAreAcceptedOnceTheWatchdogIsOut) {
   command.sequence = 50'000;
+  command.heartbeat = 70'000;
   drive();
   hostLives = false;
-  tick(12);
+  const DeviceCommand enabled = command.drive;
   command = {};
+  command.drive = enabled;
+  tick(9);
+  EXPECT_EQ(send(), Acceptance::outOfOrder) << "the one before may yet live";
+  tick(3);
   EXPECT_EQ(send(), Acceptance::accepted);
+  EXPECT_EQ(board.report().lastSequence, command.sequence);
+  hostLives = true;
+  tick(5);
+  EXPECT_EQ(last, Acceptance::accepted);
+  EXPECT_FALSE(drives()) << "the trip is latched";
+  rearm();
+  EXPECT_TRUE(drives());
 }
 
 TEST_F(BoardCommands, ThatAreNoNumbersAreRefusedAndStopTheDrives) {

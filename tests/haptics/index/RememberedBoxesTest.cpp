@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "tests/haptics/index/RandomBoxes.h"
 
@@ -38,6 +39,23 @@ TEST(RememberedBoxes, FindsWhatTheTreeFinds) {
       }
     }
   }
+}
+
+/// Nothing is visited of which it was not told before, as long as something is remembered.
+TEST(RememberedBoxes, TellsWhatItRemembersAnew) {
+  Random random(6);
+  const BoundingTree tree(randomBoxes(random, 400, 1, {0, 0, 0}));
+  RememberedBoxes boxes;
+  std::set<std::uint32_t> told;
+  Vector3 p(-1, -1, -1);
+  for (int tick = 0; tick < 2000; ++tick) {
+    const Vector3 step = random.vector<Vector3>(0, 0.002);
+    boxes.forEachNear(
+        tree, p, 0.1, {0.05, 64 * step}, [&](std::uint32_t item) { EXPECT_TRUE(told.contains(item)); },
+        [&](std::uint32_t item) { told.insert(item); });
+    p += step;
+  }
+  EXPECT_GT(told.size(), 20U);
 }
 
 TEST(RememberedBoxes, ForgetsOneTreeForAnother) {

@@ -55,6 +55,7 @@ TEST_F(HapticTickFault, LatchesWhereAPropertyOfTheSceneIsNoNumber) {
   bad[2].device.position.x() = nan;
   bad[3].tool.mass = 0;
   for (HapticScene& now : bad) {
+    ++now.version;
     computeBounds(now);
     TickState state = running();
     const TickRecord record = tick(now, readingOf(description, start, inTool({1, 0, 0})), state);

@@ -100,6 +100,13 @@ INSTANTIATE_TEST_SUITE_P(
         Felt{"Switch", "Switch { whichChild 1 Cube { } Group { " + kFaces + "} }"},
         Felt{"Perspective", "MatrixTransform { matrix 1 0 0 0.1 0 1 0 0 0 0 1 0 0 0 0 1 } " + kFaces},
         Felt{"Flat", "Cube { depth 0 }"}, Felt{"OpenCone", "Cone { parts SIDES }"},
+        Felt{"Nurbs",
+             "Coordinate3 { point [ 0 0 0, 1 0 0, 0 1 0, 1 1 1 ] } NurbsSurface { numUControlPoints 2 "
+             "numVControlPoints 2 "
+             "uKnotVector [ 0, 0, 1, 1 ] vKnotVector [ 0, 0, 1, 1 ] }"},
+        Felt{"IndexedNurbs",
+             "Coordinate3 { point [ 9 9 9, 1 1 1, 0 1 0, 1 0 0, 0 0 0 ] } IndexedNurbsSurface { numUControlPoints 2 "
+             "numVControlPoints 2 coordIndex [ 4, 3, 2, 1 ] uKnotVector [ 0, 0, 1, 1 ] vKnotVector [ 0, 0, 1, 1 ] }"},
         Felt{"VrmlFaces",
              "VRMLTransform { translation 0 0 3 children VRMLShape { geometry VRMLIndexedFaceSet { coord "
              "VRMLCoordinate { "
@@ -168,9 +175,8 @@ TEST(FeltByTriangles, SaysWhichShapeIsTooMuch) {
   const SceneFile scene =
       read("HapticTool { } HapticSurface { } Array { numElements1 3 " + kFaces + "} DEF last Cube { depth 0 }");
   for (const std::size_t most : {5u, 6u, 100u}) {
-    MeshCache meshes;
-    PathIds ids;
-    SceneCollector collector(ids, meshes, {}, most);
+    SceneMemory memory;
+    SceneCollector collector(memory, {}, most);
     collector.collect(scene.root.get());
     EXPECT_EQ(hasErrors(collector.diagnostics), most < 100);
     if (most < 100) {
@@ -211,6 +217,43 @@ TEST(FeltByTriangles, InheritsPropertiesDownAVrmlGraph) {
   EXPECT_EQ(compiled.scene->walls[1].shape.kind, Shape::Kind::sphere);
   ASSERT_EQ(compiled.scene->zones.size(), 1u);
   EXPECT_EQ(compiled.scene->zones[0].shape.kind, Shape::Kind::cylinder);
+}
+
+/// A quarter of a cylinder of radius 1, as a rational spline: its corners are on the cylinder, its faces hardly inside.
+TEST(FeltByTriangles, HasNurbsAsFinelyAsCoinCuts) {
+  const SceneFile scene = read(
+      "HapticTool { home 1000 0 0 } HapticSurface { } Coordinate4 { point [ 1 0 0 1, 0.70710678 0.70710678 0 "
+      "0.70710678, "
+      "0 1 0 1, 1 0 1 1, 0.70710678 0.70710678 0.70710678 0.70710678, 0 1 1 1 ] } "
+      "DEF N NurbsSurface { numUControlPoints 3 numVControlPoints 2 uKnotVector [ 0, 0, 0, 1, 1, 1 ] "
+      "vKnotVector [ 0, 0, 1, 1 ] }");
+  SceneCompiler compiler;
+  const CompiledScene compiled = compiler.compile(scene.root.get());
+  ASSERT_TRUE(compiled.scene) << textOf(compiled.diagnostics);
+  ASSERT_EQ(compiled.scene->walls.size(), 1u);
+  const TriangleMesh& mesh = *compiled.scene->walls[0].shape.mesh;
+  for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
+    Vector3 middle = Vector3::Zero();
+    for (const auto corner : triangle) {
+      const Vector3& p = mesh.vertices[corner];
+      EXPECT_NEAR(p.head<2>().norm(), 1, kFloat);
+      middle += p / 3;
+    }
+    EXPECT_GT(middle.head<2>().norm(), 0.998);
+  }
+}
+
+TEST(FeltByTriangles, HasNurbsAnewWhereTheirPointsHaveChanged) {
+  const SceneFile scene = read(
+      "HapticTool { home 1000 0 0 } HapticSurface { } DEF P Coordinate3 { point [ 0 0 0, 1 0 0, 0 1 0, 1 1 0 ] } "
+      "NurbsSurface { numUControlPoints 2 numVControlPoints 2 uKnotVector [ 0, 0, 1, 1 ] vKnotVector [ 0, 0, 1, 1 ] }");
+  SceneCompiler compiler;
+  const auto before = compiler.compile(scene.root.get()).scene;
+  static_cast<SoCoordinate3*>(SoNode::getByName("P"))->point.set1Value(3, 1, 1, 2);
+  const auto after = compiler.compile(scene.root.get()).scene;
+  ASSERT_TRUE(before && after);
+  EXPECT_EQ(before->walls[0].shape.mesh->bounds.high.z(), 0);
+  EXPECT_EQ(after->walls[0].shape.mesh->bounds.high.z(), 2);
 }
 
 class MeshesAcrossEdits : public ::testing::Test {

@@ -1,15 +1,13 @@
 #pragma once
 
 #include <unistd.h>
-#include <atomic>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 #include <utility>
 
 #include "device/usb/falcon/FalconDevice.h"
 #include "tests/device/usb/falcon/VirtualFalcon.h"
-#include "tests/support/usb/VirtualBus.h"
+#include "tests/support/usb/RunningBus.h"
 
 namespace haptiv::falcon::test {
 
@@ -56,22 +54,8 @@ class BenchedFalcon : public HapticDevice {
   /// Sets the bus going by itself meanwhile: the set-up waits for answers.
   template <typename Work>
   void whileTheBusRuns(const Work& work) {
-    std::atomic<bool> runs = true;
-    std::thread bus([&] {
-      while (runs) {
-        bus_.step();
-        std::this_thread::sleep_for(std::chrono::microseconds(100));
-      }
-    });
-    try {
-      work();
-    } catch (...) {
-      runs = false;
-      bus.join();
-      throw;
-    }
-    runs = false;
-    bus.join();
+    const haptiv::test::RunningBus runs(bus_, std::chrono::microseconds(100));
+    work();
   }
 
   void start(double period) override {

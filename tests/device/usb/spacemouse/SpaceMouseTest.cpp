@@ -4,43 +4,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <deque>
 #include <stdexcept>
 
+#include "tests/device/usb/spacemouse/VirtualSpaceMouse.h"
 #include "tests/support/usb/VirtualBus.h"
 
 namespace haptiv::test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
-/// Says what the test has it say, a report an interval.
-class VirtualSpaceMouse : public VirtualUsbDevice {
- public:
-  explicit VirtualSpaceMouse(std::uint16_t vendor = 0x046d, std::uint16_t product = 0xc626)
-      : vendor_(vendor), product_(product) {}
-
-  UsbDescriptors descriptors() const override {
-    return {vendor_, product_, "3Dconnexion", "SpaceNavigator", "", UsbSpeed::full, 3, 0, 0, {{0x81, 3, 16, 8}}};
-  }
-  std::optional<Bytes> packetIn(std::uint8_t) override {
-    if (reports.empty()) return std::nullopt;
-    const Bytes report = reports.front();
-    reports.pop_front();
-    return report;
-  }
-  void packetOut(std::uint8_t, std::span<const std::uint8_t>) override {}
-  void advance(std::int64_t) override {}
-
-  std::deque<Bytes> reports;
-
- private:
-  std::uint16_t vendor_, product_;
-};
-
-std::string troubleOfOpening() {
+std::string troubleOfOpening(const std::string& which = {}) {
   try {
-    SpaceMouse mouse;
+    SpaceMouse mouse(which);
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -114,6 +91,20 @@ TEST_F(SpaceMouseOverUsb, UnpluggedItIsAtRestAndPluggedInAgainItGoesOn) {
   EXPECT_EQ(mouse.newest().buttons, 0u) << "pressed anew, or not at all";
   say({3, 1});
   EXPECT_EQ(mouse.newest().buttons, 1u);
+}
+
+TEST_F(SpaceMouseOverUsb, OneOfTwoIsChosenByItsPort) {
+  plug();
+  const std::shared_ptr<VirtualSpaceMouse> first = mouse_;
+  VirtualPort& port = plug();
+  EXPECT_THAT(troubleOfOpening(), AllOf(HasSubstr("choose one"), HasSubstr("1-2, 1-3")));
+  EXPECT_THAT(troubleOfOpening("1-7"), AllOf(HasSubstr("1-7"), HasSubstr("there is: 1-2, 1-3")));
+  SpaceMouse mouse("1-3");
+  first->reports.push_back({1, 1, 0, 1, 0, 1, 0});
+  say({1, 2, 0, 2, 0, 2, 0});
+  EXPECT_EQ(mouse.newest().axes[0], 2);
+  bus_.unplug(port);
+  EXPECT_FALSE(mouse.newest().connected) << "the other one is not taken in its place";
 }
 
 TEST_F(SpaceMouseOverUsb, SaysWhatIsWrong) {
