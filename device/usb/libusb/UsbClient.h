@@ -17,8 +17,8 @@ struct StreamEndpoints {
   std::uint8_t out = 0;     ///< 0: nothing is ever sent
   std::size_t outSize = 64;
   int ahead = 4;  ///< IN transfers that are on their way at any time, so that the bus never waits for the host
-  /// After a packet has gone out, for so long what comes in is left to gather, and is then taken in one go: each wake-up
-  /// of a thread costs more than what it does. 0: each packet is taken as it comes.
+  /// After a packet has gone out, for so long what comes in is left to gather, and is then taken in one go: each
+  /// wake-up of a thread costs more than what it does. 0: each packet is taken as it comes.
   std::chrono::microseconds rest{0};
 };
 

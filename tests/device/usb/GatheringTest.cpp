@@ -1,4 +1,5 @@
 /// States gather after a command, and are taken shortly before the servo reads: nothing else waits for that.
+#include "device/usb/host/StatePace.h"
 #include "tests/device/usb/bench/UsbBench.h"
 
 namespace haptiv::test {
@@ -71,6 +72,18 @@ TEST_F(Gathering, WithoutCommandsEachStateIsTakenAsItComes) {
     bus.tick();
     EXPECT_EQ(figures().states, before + 1);
   }
+}
+
+TEST(StatePaceTest, StatesGatherOnlyWhereThatSavesWakeUps) {
+  const usb::StatePace atOneKilohertz = usb::statePace(1e-3, usb::FrameForm::full);
+  EXPECT_EQ(atOneKilohertz.rest.count(), 890);
+  EXPECT_GE(atOneKilohertz.ahead * 125, 890 + 125) << "the bus never waits";
+  const usb::StatePace atTenHertz = usb::statePace(0.1, usb::FrameForm::full);
+  EXPECT_LE(atTenHertz.rest.count(), 5000) << "well within the time in which silence is told";
+  EXPECT_GE(atTenHertz.ahead * 125, atTenHertz.rest.count() + 125);
+  for (const double period : {0.25e-3, 0.125e-3, 0.})
+    EXPECT_EQ(usb::statePace(period, usb::FrameForm::full).rest.count(), 0) << period;
+  EXPECT_EQ(usb::statePace(1e-3, usb::FrameForm::packed).rest.count(), 0);
 }
 
 }  // namespace
