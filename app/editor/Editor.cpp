@@ -35,14 +35,19 @@ struct Editor::Parts {
           *rubberBand = nullptr, *makeSolid = nullptr, *duplicate = nullptr, *remove = nullptr, *snap = nullptr;
   bool isEnabled = true;
 
-  void updateActions() {
+  void updateUndo() {
     const bool canEdit = isEnabled && !handles.isDragging();
     const QUndoStack& stack = document.undoStack();
     undo->setEnabled(canEdit && stack.canUndo());
     redo->setEnabled(canEdit && stack.canRedo());
     undo->setText(stack.canUndo() ? QString("&Undo %1").arg(stack.undoText()) : QString("&Undo"));
     redo->setText(stack.canRedo() ? QString("&Redo %1").arg(stack.redoText()) : QString("&Redo"));
-    const std::vector<SceneItem> items = listScene(document.root());
+  }
+
+  void updateActions() {
+    updateUndo();
+    const bool canEdit = isEnabled && !handles.isDragging();
+    const std::vector<SceneItem> items = listScene(document.root(), Naming::none);
     const SceneItem* item = findItem(items, document.selection());
     remove->setEnabled(canEdit && item && item->kind != SceneItem::Kind::tool && item->kind != SceneItem::Kind::device);
     duplicate->setEnabled(remove->isEnabled() && canDuplicate(document));
@@ -73,7 +78,8 @@ Editor::Editor(SceneDocument& document, SceneView& view, QObject* parent)
   connect(&document, &SceneDocument::selectionChanged, this, update);
   connect(&document, &SceneDocument::sceneChanged, this, update);
   connect(&document, &SceneDocument::sceneReplaced, this, update);
-  connect(&document.undoStack(), &QUndoStack::indexChanged, this, update);
+  // The scene is felt before all of it is looked through: sceneChanged is still to come.
+  connect(&document.undoStack(), &QUndoStack::indexChanged, this, [this] { parts_->updateUndo(); });
   connect(&parts.handles, &Handles::draggingChanged, this, update);
   connect(&view, &SceneView::shapeClicked, this, [this](const SoPath* path) {
     if (parts_->handles.isDragging()) return;

@@ -58,7 +58,7 @@ void editSelectedNode(SceneDocument& document, const char* field, const NewValue
 
 void editProperty(SceneDocument& document, const char* field, const NewValue& value, Reach reach, Gesture gesture) {
   document.releaseHandles();
-  const std::vector<SceneItem> items = listScene(document.root());
+  const std::vector<SceneItem> items = listScene(document.root(), Naming::none);
   const SceneItem* item = findItem(items, document.selection());
   if (!item || !item->property) return;
   auto* property = const_cast<SoNode*>(item->property);

@@ -1,5 +1,12 @@
 #include "app/editor/SceneItems.h"
 
+#include "scenegraph/nodes/SoHapticDevice.h"
+#include "scenegraph/nodes/SoHapticNone.h"
+#include "scenegraph/nodes/SoHapticRubberBand.h"
+#include "scenegraph/nodes/SoHapticSurface.h"
+#include "scenegraph/nodes/SoHapticTool.h"
+#include "scenegraph/nodes/SoHapticViscousZone.h"
+
 #include <Inventor/VRMLnodes/SoVRMLGroup.h>
 #include <Inventor/VRMLnodes/SoVRMLLOD.h>
 #include <Inventor/VRMLnodes/SoVRMLShape.h>
@@ -35,18 +42,49 @@ QString textOf(const SoNode& node, const char* fieldName) {
   return field ? QString::fromUtf8(field->getValue().getString()) : QString();
 }
 
-bool isProperty(const QString& word) {
-  return word == "HapticSurface" || word == "HapticViscousZone" || word == "HapticSpringZone" ||
-         word == "HapticRubberBand" || word == "HapticNone";
+/// What the walk does about a node.
+enum class Role : unsigned char {
+  unknown,
+  property,
+  tool,
+  device,
+  material,
+  baseColor,
+  shape,
+  separator,
+  group,
+  other
+};
+
+Role roleOfType(SoType type) {
+  const auto is = [&](SoType wanted) { return type.isDerivedFrom(wanted); };
+  if (is(SoHapticProperty::getClassTypeId())) return Role::property;
+  if (is(SoHapticTool::getClassTypeId())) return Role::tool;
+  if (is(SoHapticDevice::getClassTypeId())) return Role::device;
+  if (is(SoMaterial::getClassTypeId())) return Role::material;
+  if (is(SoBaseColor::getClassTypeId())) return Role::baseColor;
+  if (is(SoShape::getClassTypeId()) || is(SoVRMLShape::getClassTypeId())) return Role::shape;
+  if (type == SoSeparator::getClassTypeId()) return Role::separator;
+  return is(SoGroup::getClassTypeId()) ? Role::group : Role::other;
+}
+
+/// Looked up by the number that Coin gives the type: a scene may have half a million nodes.
+Role roleOf(const SoNode& node) {
+  static std::vector<Role> known;
+  const SoType type = node.getTypeId();
+  const auto key = static_cast<std::size_t>(type.getKey());
+  if (key >= known.size()) known.resize(key + 1, Role::unknown);
+  if (known[key] == Role::unknown) known[key] = roleOfType(type);
+  return known[key];
 }
 
 SceneItem::Kind kindOfShape(const SoNode* property) {
   if (!property) return SceneItem::Kind::scenery;
-  const QString word = keyword(*property);
-  if (word == "HapticSurface") return SceneItem::Kind::wall;
-  if (word == "HapticViscousZone") return SceneItem::Kind::dampingZone;
-  if (word == "HapticRubberBand") return SceneItem::Kind::rubberBand;
-  return word == "HapticNone" ? SceneItem::Kind::scenery : SceneItem::Kind::springZone;
+  const SoType type = property->getTypeId();
+  if (type == SoHapticSurface::getClassTypeId()) return SceneItem::Kind::wall;
+  if (type == SoHapticViscousZone::getClassTypeId()) return SceneItem::Kind::dampingZone;
+  if (type == SoHapticRubberBand::getClassTypeId()) return SceneItem::Kind::rubberBand;
+  return type == SoHapticNone::getClassTypeId() ? SceneItem::Kind::scenery : SceneItem::Kind::springZone;
 }
 
 QString stemOf(const SceneItem& item) {
@@ -71,6 +109,7 @@ QString stemOf(const SceneItem& item) {
 
 /// The only child that is visited, or what SoSwitch says of none and all.
 int chosenChild(const SoGroup& group) {
+  if (roleOf(group) == Role::separator) return SO_SWITCH_ALL;
   if (const auto* choice = dynamic_cast<const SoSwitch*>(&group)) return choice->whichChild.getValue();
   if (const auto* choice = dynamic_cast<const SoVRMLSwitch*>(&group)) return choice->whichChoice.getValue();
   for (const SoType levels :
@@ -82,27 +121,41 @@ int chosenChild(const SoGroup& group) {
 
 /// Whether what is said in the group ends with it.
 bool keepsToItself(const SoGroup& group) {
-  return group.isOfType(SoSeparator::getClassTypeId()) || group.isOfType(SoVRMLGroup::getClassTypeId());
+  return roleOf(group) == Role::separator || group.isOfType(SoSeparator::getClassTypeId()) ||
+         group.isOfType(SoVRMLGroup::getClassTypeId());
 }
 
 class Walk {
  public:
+  explicit Walk(bool named) : named_(named) {}
+
   void visit(SoNode* node, State& state) {
-    const QString word = keyword(*node);
-    if (isProperty(word)) {
-      state.property = node;
-    } else if (word == "HapticTool" || word == "HapticDevice") {
-      add(node, word == "HapticTool" ? SceneItem::Kind::tool : SceneItem::Kind::device, State{});
-    } else if (node->isOfType(SoMaterial::getClassTypeId())) {
-      const auto& colours = static_cast<SoMaterial*>(node)->diffuseColor;
-      if (colours.getNum() > 0) state.colour = toColour(colours[0]);
-    } else if (node->isOfType(SoBaseColor::getClassTypeId())) {
-      const auto& colours = static_cast<SoBaseColor*>(node)->rgb;
-      if (colours.getNum() > 0) state.colour = toColour(colours[0]);
-    } else if (node->isOfType(SoShape::getClassTypeId()) || node->isOfType(SoVRMLShape::getClassTypeId())) {
-      add(node, kindOfShape(state.property), state);
-    } else if (node->isOfType(SoGroup::getClassTypeId())) {
-      visitChildren(static_cast<SoGroup*>(node), state);
+    switch (roleOf(*node)) {
+      case Role::property:
+        state.property = node;
+        break;
+      case Role::tool:
+        add(node, SceneItem::Kind::tool, State{});
+        break;
+      case Role::device:
+        add(node, SceneItem::Kind::device, State{});
+        break;
+      case Role::material:
+        takeColour(static_cast<SoMaterial*>(node)->diffuseColor, state);
+        break;
+      case Role::baseColor:
+        takeColour(static_cast<SoBaseColor*>(node)->rgb, state);
+        break;
+      case Role::shape:
+        add(node, kindOfShape(state.property), state);
+        break;
+      case Role::separator:
+      case Role::group:
+        visitChildren(static_cast<SoGroup*>(node), state);
+        break;
+      case Role::unknown:
+      case Role::other:
+        break;
     }
   }
 
@@ -120,7 +173,7 @@ class Walk {
       first = std::min(which, end);
       end = std::min(which + 1, end);
     }
-    names_.push_back(group->getName().getString());
+    names_.push_back(named_ ? group->getName().getString() : nullptr);
     for (int i = first; i < end; ++i) {
       place_.push_back(i);
       visit(group->getChild(i), inner);
@@ -130,8 +183,13 @@ class Walk {
     if (!keepsToItself(*group)) state = inner;
   }
 
+  static void takeColour(const SoMFColor& colours, State& state) {
+    if (colours.getNum() > 0) state.colour = toColour(colours[0]);
+  }
+
   void add(const SoNode* node, SceneItem::Kind kind, const State& state) {
     SceneItem item{kind, place_, node, state.property, {}, {}, state.colour};
+    if (!named_) return items_.push_back(std::move(item));
     if (state.property) item.label = textOf(*state.property, "label");
     item.name = item.label;
     if (item.name.isEmpty()) item.name = node->getName().getString();
@@ -139,6 +197,7 @@ class Walk {
     items_.push_back(std::move(item));
   }
 
+  bool named_;
   ScenePlace place_;
   std::vector<const char*> names_;  ///< DEF names of the groups on the way
   std::vector<SceneItem> items_;
@@ -159,13 +218,13 @@ void numberNames(std::vector<SceneItem>& items) {
 
 }  // namespace
 
-std::vector<SceneItem> listScene(SoSeparator* root) {
+std::vector<SceneItem> listScene(SoSeparator* root, Naming naming) {
   if (!root) return {};
-  Walk walk;
+  Walk walk(naming == Naming::full);
   State state;
   walk.visit(root, state);
   std::vector<SceneItem> items = walk.take();
-  numberNames(items);
+  if (naming == Naming::full) numberNames(items);
   return items;
 }
 

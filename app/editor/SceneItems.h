@@ -29,8 +29,11 @@ struct SceneItem {
   bool operator==(const SceneItem&) const = default;
 };
 
+/// Whether items are to have label and name: in large scenes that takes most of the time.
+enum class Naming { none, full };
+
 /// The scene in traversal order. A shape that is used several times (USE) stands there several times.
-std::vector<SceneItem> listScene(SoSeparator* root);
+std::vector<SceneItem> listScene(SoSeparator* root, Naming naming = Naming::full);
 
 /// The item at the end of the path; null: it is none.
 const SceneItem* findItem(const std::vector<SceneItem>& items, const SoPath* path);

@@ -24,10 +24,23 @@ Eigen::Index longestAxis(const WideBox& box) noexcept {
   return longest;
 }
 
+/// To a 64th of a power of two: where the outermost item moves a little, the slices of a large group stay.
+void roundOutwards(float& low, float& high) noexcept {
+  int exponent = 0;
+  std::frexp(high - low, &exponent);
+  const float step = std::ldexp(1.0F, exponent - 7);
+  const float first = step * std::floor(low / step), last = step * std::ceil(high / step);
+  if (step > 0 && std::isfinite(last - first)) low = first, high = last;
+}
+
 /// Which of the slices along an axis an item's middle is in.
 struct Slices {
-  Slices(const WideBox& middles, Eigen::Index newAxis) noexcept
-      : axis(newAxis), low(middles.low[axis]), perLength(kBins / (middles.high[axis] - low)) {}
+  Slices(const WideBox& middles, Eigen::Index newAxis, std::size_t items) noexcept
+      : axis(newAxis), low(middles.low[axis]) {
+    float high = middles.high[axis];
+    if (items > kTryAllAxes) roundOutwards(low, high);
+    perLength = kBins / (high - low);
+  }
   SplitChoice cutAfter(std::size_t slices) const noexcept {
     return {low, perLength, static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(slices)};
   }
@@ -127,14 +140,14 @@ SplitGroups splitByArea(const ItemGroup& group) noexcept {
   Split best;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     if (group.items.size() > kTryAllAxes && axis != longest) continue;
-    const Slices slices(group.middles, axis);
+    const Slices slices(group.middles, axis, group.items.size());
     if (slices.exist()) tryAxis(group.items, slices, best);
   }
   if (best.slices == 0) {  // all on one spot
     sortByIndex(group.items);
     return cutInTwo(group.items);
   }
-  const Slices sliceOf(group.middles, best.axis);
+  const Slices sliceOf(group.middles, best.axis, group.items.size());
   return partition(group.items, sliceOf.cutAfter(best.slices),
                    [&](const SplitItem& item) { return sliceOf(item) < best.slices; });
 }

@@ -55,6 +55,21 @@ TEST(LiveSession, WithEditsResimulatesToTheSameBits) {
   EXPECT_EQ(result.ticks, log.tickCount());
 }
 
+/// By this the window knows whether the log keeps up with its edits.
+TEST(LiveSession, TellsWhatIsStillToBeLoggedUntilItIs) {
+  Session session(setupFor(wallScene()));
+  EXPECT_EQ(session.shapesToLog(), 0u);
+  HapticScene large = wallScene();
+  large.version = 2;
+  large.walls.resize(5000, large.walls[0]);
+  computeBounds(large);
+  for (int edit = 0; edit < 3; ++edit) session.publish(std::make_shared<const HapticScene>(large), "");
+  EXPECT_EQ(session.shapesToLog() % 5000, 0u);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (session.shapesToLog() > 0 && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(kMoment);
+  EXPECT_EQ(session.shapesToLog(), 0u);
+}
+
 TEST(LiveSession, KeepsItsDeviceItsHomeAndRisingVersions) {
   Session session(setupFor(wallScene()));
   HapticScene moved = wallScene();

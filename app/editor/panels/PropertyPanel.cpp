@@ -128,11 +128,12 @@ void PropertyPanel::showSharing(const Sharing& sharing) {
 }
 
 void PropertyPanel::editField(const QString& field, const NewValue& value) {
-  const std::vector<SceneItem> items = listScene(document_.root());
-  const SceneItem* item = findItem(items, document_.selection());
-  if (!item) return;
+  const SoPath* selection = document_.selection();
+  if (!selection) return;
+  const QString word = keyword(*selection->getTail());
   const QByteArray name = field.toUtf8();
-  if (!isShape(*item)) return editSelectedNode(document_, name.constData(), value, gesture_);
+  if (word == "HapticTool" || word == "HapticDevice")
+    return editSelectedNode(document_, name.constData(), value, gesture_);
   editProperty(document_, name.constData(), value, onlyThis_->isChecked() ? Reach::onlyThis : Reach::allThatShare,
                gesture_);
 }
