@@ -15,6 +15,7 @@ struct DeviceReading {
   std::uint16_t inputs = kInputDeadMan;        ///< OperatorInput bits
   std::uint32_t trips = kNoTrip;               ///< Trip bits: why the device's safety circuit has stopped the drives
   bool connected = true;                       ///< false: the counts are the last ones known
+  std::int64_t deviceTime = 0;  ///< of the counts, by the device's own clock [us]; 0: it has none, or none that is told
 };
 
 /// What the set-points of a command mean.

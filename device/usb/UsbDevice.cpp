@@ -57,6 +57,7 @@ void UsbDevice::Parts::open(double period) {
   client.newest(state);  // of an earlier start
   state = {};
   client.homeNext(choice.home);
+  client.setPeriod(period);
   opened->open();
   if (client.form() == FrameForm::packed && period < kFullSpeedPeriod * (1 - 1e-9))
     throw UsbFailure(UsbTrouble::wrongDevice,
@@ -80,6 +81,7 @@ void UsbDevice::Parts::open(double period) {
 void UsbDevice::Parts::look() noexcept {
   if (client.newest(state)) {
     reading = state.report.reading;
+    reading.deviceTime = state.report.time;
     fresh = true;
   }
   reading.connected = isRead() && guard.answers() && state.sequence != 0;

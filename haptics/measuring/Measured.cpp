@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "device/DeviceTime.h"
 #include "haptics/scene/DeviceFrames.h"
 
 namespace haptiv {
@@ -15,15 +16,25 @@ bool Measured::allFinite() const noexcept {
   return p_WT.allFinite() && v_WT.allFinite() && handForce.allFinite() && handTorque.allFinite();
 }
 
+/// Angles and rates.
+void Measuring::follow(const JointVector& angles, const DeviceReading& reading, MeasuringState& state) const noexcept {
+  if (!state.started || !reading.connected) {
+    state = {reading.connected, reading.deviceTime, angles, JointVector::Zero()};
+    return;
+  }
+  const double passed = timeBetween(state.deviceTime, reading.deviceTime, period_);
+  if (passed == 0) return;
+  const double share = passed == period_ ? share_ : -std::expm1(-passed * description_.control.velocityBandwidth);
+  state.rates += share * ((angles - state.angles) / passed - state.rates);
+  state.angles = angles;
+  state.deviceTime = reading.deviceTime;
+}
+
 Measured Measuring::operator()(const DevicePlacement& device, const DeviceReading& reading,
                                MeasuringState& state) const noexcept {
   Measured measured;
   measured.angles = description_.jointAngles(reading);
-  if (state.started) {
-    state.rates += share_ * ((measured.angles - state.angles) / period_ - state.rates);
-  }
-  state.started = true;
-  state.angles = measured.angles;
+  follow(measured.angles, reading, state);
   measured.rates = state.rates;
 
   measured.arm = arm_.evaluate(measured.angles);

@@ -19,9 +19,10 @@ struct Measured {
   bool allFinite() const noexcept;
 };
 
-/// What measuring needs of the tick before: rates are differences of encoder counts.
+/// What measuring needs of the reading before: rates are differences of encoder counts.
 struct MeasuringState {
   bool started = false;
+  std::int64_t deviceTime = 0;  ///< [us]
   JointVector angles = JointVector::Zero();
   JointVector rates = JointVector::Zero();
 };
@@ -31,16 +32,19 @@ class Measuring {
  public:
   Measuring(const DeviceDescription& description, double period);
 
-  /// Rates are zero in the first tick.
+  /// Rates are zero at first, and begin anew where the device is not connected. Their time is the device's, so that a
+  /// reading that did not come makes no joint look fast: the same reading again leaves them as they are.
   /// Realtime-safe: yes.  Thread: servo.
   Measured operator()(const DevicePlacement& device, const DeviceReading& reading,
                       MeasuringState& state) const noexcept;
 
  private:
+  void follow(const JointVector& angles, const DeviceReading& reading, MeasuringState& state) const noexcept;
+
   DeviceDescription description_;
   ArmKinematics arm_;
   double period_;
-  double share_;  ///< of a new difference in the rates, one step of the low-pass
+  double share_;  ///< of a new difference in the rates, one step of the low-pass over a period
 };
 
 }  // namespace haptiv

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "device/DeviceTime.h"
 #include "haptics/safety/Faults.h"
 
 namespace haptiv {
@@ -15,7 +16,8 @@ constexpr double kFewCounts = 8;  // that any encoder may step by, however short
 }  // namespace
 
 EncoderMonitor::EncoderMonitor(const DeviceDescription& description, double period)
-    : ticksPerUnit_(std::max(1, static_cast<std::int32_t>(std::round(description.safety.velocityTimeUnit / period)))),
+    : period_(period),
+      ticksPerUnit_(std::max(1, static_cast<std::int32_t>(std::round(description.safety.velocityTimeUnit / period)))),
       mostStill_(std::max(kStuckTicks, static_cast<std::int32_t>(std::ceil(kStuckTime / period)))) {
   const JointVector perSecond = description.safety.countThreshold / description.safety.velocityTimeUnit;
   for (int i = 0; i < kJointCount; ++i) {
@@ -27,23 +29,37 @@ EncoderMonitor::EncoderMonitor(const DeviceDescription& description, double peri
 
 std::uint32_t EncoderMonitor::operator()(const DeviceReading& reading, const JointVector* desired,
                                          EncoderState& state) const noexcept {
+  if (!reading.connected) {
+    state = {};
+    return kNoFault;
+  }
+  if (desired == nullptr) state.sent = false;
+  const double ticks = timeBetween(state.deviceTime, reading.deviceTime, period_) / period_;
+  if (state.started && ticks == 0) return kNoFault;
   std::uint32_t faults = kNoFault;
   if (stuck(reading, desired, state)) faults |= kFaultEncoderStuck;
-  if (state.started) faults |= moved(reading, state);
+  if (state.started) faults |= moved(reading, ticks, state);
   state.started = true;
+  state.deviceTime = reading.deviceTime;
   state.counts = reading.encoderCounts;
   return faults;
 }
 
-std::uint32_t EncoderMonitor::moved(const DeviceReading& reading, EncoderState& state) const noexcept {
+/// @param ticks  since the reading before; one that comes late may tell of as much more, an early one of no less
+std::uint32_t EncoderMonitor::moved(const DeviceReading& reading, double ticks, EncoderState& state) const noexcept {
   std::uint32_t faults = kNoFault;
+  state.ticksOfUnit += ticks;
+  const double longer = std::max(1., ticks);
+  const double longerUnit = std::max(1., state.ticksOfUnit / ticksPerUnit_);
   for (std::size_t i = 0; i < kJointCount; ++i) {
     const std::int64_t step = std::abs(std::int64_t{reading.encoderCounts[i]} - state.counts[i]);
-    if (step > jump_[i]) faults |= kFaultEncoderJump;
-    if (step <= jump_[i]) state.impulses[i] += step;
-    if (state.impulses[i] > threshold_[i]) faults |= kFaultJointSpeed;
+    const bool jumps = static_cast<double>(step) > longer * static_cast<double>(jump_[i]);
+    if (jumps) faults |= kFaultEncoderJump;
+    if (!jumps) state.impulses[i] += step;
+    if (static_cast<double>(state.impulses[i]) > longerUnit * static_cast<double>(threshold_[i]))
+      faults |= kFaultJointSpeed;
   }
-  if (++state.ticksOfUnit >= ticksPerUnit_) {
+  if (state.ticksOfUnit >= ticksPerUnit_) {
     state.ticksOfUnit = 0;
     state.impulses = {};
   }

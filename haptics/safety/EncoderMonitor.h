@@ -10,9 +10,10 @@ namespace haptiv {
 /// What is remembered of the encoders.
 struct EncoderState {
   bool started = false;
+  std::int64_t deviceTime = 0;  ///< [us]
   std::array<std::int32_t, kJointCount> counts{};
   std::array<std::int64_t, kJointCount> impulses{};  ///< of each joint within the time unit that runs
-  std::int32_t ticksOfUnit = 0;                      ///< that have passed of it
+  double ticksOfUnit = 0;                            ///< that have passed of it
   bool sent = false;
   JointVector sentAt = JointVector::Zero();       ///< where each joint was sent when its encoder last moved [rad]
   std::array<std::int32_t, kJointCount> still{};  ///< ticks since then
@@ -24,6 +25,9 @@ struct EncoderState {
 /// [paper, section III.D]. Jump: more than three times as many within a tick, which no joint can. Stuck: the count has
 /// stood still for longer than kStuckTime and kStuckTicks while the joint was sent on by kStuck: soon, for the
 /// controller pushes a joint that seems to stand. An encoder that jumps is not told to be too fast too.
+///
+/// All by the device's time: where readings did not come, the next one may have moved by so much more, and the same
+/// reading again says nothing of the encoders. Where the device is not connected, its counts are none to begin with.
 class EncoderMonitor {
  public:
   static constexpr double kStuck = 0.002;      ///< [rad]: 130 counts
@@ -39,9 +43,10 @@ class EncoderMonitor {
                            EncoderState& state) const noexcept;
 
  private:
-  std::uint32_t moved(const DeviceReading& reading, EncoderState& state) const noexcept;
+  std::uint32_t moved(const DeviceReading& reading, double ticks, EncoderState& state) const noexcept;
   bool stuck(const DeviceReading& reading, const JointVector* desired, EncoderState& state) const noexcept;
 
+  double period_;
   std::int32_t ticksPerUnit_;
   std::int32_t mostStill_;                             ///< ticks
   std::array<std::int64_t, kJointCount> threshold_{};  ///< impulses within ticksPerUnit_

@@ -57,6 +57,7 @@ Scheduling ServoLoop::start() {
     throw;
   }
   scheduling_ = makeRealtime(thread_);
+  pthread_setname_np(thread_.native_handle(), "haptiv-servo");  // for `top -H`
   scheduling_.processorAwake = awake_->isKept();
   return scheduling_;
 }

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
+
 #include "app/session/Resimulation.h"
 #include "app/session/SessionRecorder.h"
 #include "app/session/log/Hdf5Table.h"
@@ -157,14 +159,16 @@ TEST(SessionEventsTest, TellStatesFaultsAndTripsInOrder) {
                                  "fault device trip: watchdog", "state fault", "state ready"));
 }
 
+/// After format 1.
 bool cameLater(const std::string& column) {
-  for (const char* name : {"inputs", "trips", "clamps", "session_state", "drive_mode"})
+  for (const char* name : {"device_time_us", "inputs", "trips", "clamps", "session_state", "drive_mode"})
     if (column == name) return true;
   return column.ends_with("N_m");
 }
 
-/// Writes a group of ticks anew, without the columns that format 1 did not have.
-void dropLaterColumns(const hdf5::Handle& file, const std::filesystem::path& path, const TickGroup& group) {
+/// Writes a group of ticks anew, without some columns.
+void dropColumns(const hdf5::Handle& file, const std::filesystem::path& path, const TickGroup& group,
+                 const std::function<bool(const std::string&)>& dropped) {
   const std::string name = "/servo/" + group.name;
   std::vector<std::string> kept;
   std::vector<std::byte> rows, less;
@@ -177,29 +181,32 @@ void dropLaterColumns(const hdf5::Handle& file, const std::filesystem::path& pat
   }
   const std::size_t cell = hdf5::sizeOf(group.cell);
   for (std::size_t i = 0; i < rows.size() / cell; ++i) {
-    if (cameLater(group.columns[i % group.columns.size()].name)) continue;
+    if (dropped(group.columns[i % group.columns.size()].name)) continue;
     less.insert(less.end(), rows.begin() + static_cast<std::ptrdiff_t>(i * cell),
                 rows.begin() + static_cast<std::ptrdiff_t>((i + 1) * cell));
   }
   for (const TickColumn& column : group.columns)
-    if (!cameLater(column.name)) kept.push_back(column.name);
+    if (!dropped(column.name)) kept.push_back(column.name);
   H5Ldelete(file.id(), name.c_str(), H5P_DEFAULT);
   hdf5::Table::create(file, path, name, group.cell, kept.size(), 500).append(less.data(), count);
   hdf5::Attributes(file, path, name).write("columns", kept);
+}
+
+void setFormat(const hdf5::Handle& file, std::uint64_t format) {
+  const hid_t version = H5Aopen(file.id(), "format_version", H5P_DEFAULT);
+  H5Awrite(version, H5T_NATIVE_UINT64, &format);
+  H5Aclose(version);
 }
 
 /// Turns a log into one of format 1: without the columns, the tables and the attribute that came later.
 void makeFirstFormat(const std::filesystem::path& path) {
   const hdf5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
   ASSERT_TRUE(file);
-  const hid_t version = H5Aopen(file.id(), "format_version", H5P_DEFAULT);
-  const std::uint64_t one = 1;
-  H5Awrite(version, H5T_NATIVE_UINT64, &one);
-  H5Aclose(version);
+  setFormat(file, 1);
   H5Adelete(file.id(), "fault");
   H5Ldelete(file.id(), "/events", H5P_DEFAULT);
   for (const TickGroup& group : tickGroups()) {
-    if (group.name != "passivity") dropLaterColumns(file, path, group);
+    if (group.name != "passivity") dropColumns(file, path, group, cameLater);
   }
   H5Ldelete(file.id(), "/servo/passivity", H5P_DEFAULT);
 }
@@ -225,6 +232,7 @@ TEST(SessionLogOfFormatOne, OpensWithDefaultsForWhatCameLaterAndIsNotResimulated
   for (std::size_t i = 0; i < read.size(); ++i) {
     TickRecord& expected = written[i];
     expected.passivityEnergy = expected.passivityDamping = 0;
+    expected.reading.deviceTime = 0;
     expected.reading.inputs = kInputDeadMan;
     expected.reading.trips = expected.clamps = 0;
     expected.handTorque.setZero();
@@ -233,6 +241,31 @@ TEST(SessionLogOfFormatOne, OpensWithDefaultsForWhatCameLaterAndIsNotResimulated
     ASSERT_TRUE(sameRecord(read[i], expected)) << i;
   }
   EXPECT_THAT(messageOf([&] { verify(log); }), HasSubstr("format 1"));
+}
+
+void changeLog(const std::filesystem::path& path, const std::function<void(const hdf5::Handle&)>& change) {
+  const hdf5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  ASSERT_TRUE(file);
+  change(file);
+}
+
+TEST(SessionLogOfFormatTwo, HasNoDeviceTimeAndGivesTheSameBits) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "s.h5";
+  SessionSetup setup = setupFor(wallScene(), {{0, Vector3::Zero()}, {0.5, Vector3(0.1, 0.02, 0)}});
+  setup.log = path;
+  runFast(setup, 1);
+  changeLog(path, [&](const hdf5::Handle& file) {
+    for (const TickGroup& group : tickGroups())
+      if (group.name == "time")
+        dropColumns(file, path, group, [](const std::string& name) { return name == "device_time_us"; });
+  });
+  EXPECT_THAT(messageOf([&] { SessionLog log(path); }), HasSubstr("other columns"));
+  changeLog(path, [](const hdf5::Handle& file) { setFormat(file, 2); });
+  const SessionLog log(path);
+  EXPECT_EQ(log.formatVersion(), 2u);
+  EXPECT_EQ(log.ticks(999, 1).at(0).reading.deviceTime, 0);
+  EXPECT_TRUE(verify(log).identical());
 }
 
 }  // namespace

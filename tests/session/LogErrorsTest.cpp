@@ -49,12 +49,12 @@ TEST(LogErrors, TellsANewerFormat) {
   SessionLogWriter(folder / "s.h5", someHeader()).close(0);
   const hid_t file = H5Fopen((folder / "s.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
   const hid_t attribute = H5Aopen(file, "format_version", H5P_DEFAULT);
-  const std::uint64_t version = 3;
+  const std::uint64_t version = 4;
   H5Awrite(attribute, H5T_NATIVE_UINT64, &version);
   H5Aclose(attribute);
   H5Fclose(file);
   EXPECT_THAT(messageOf([&] { SessionLog(folder / "s.h5"); }),
-              AllOf(HasSubstr("newer Haptiv"), HasSubstr("log format 3")));
+              AllOf(HasSubstr("newer Haptiv"), HasSubstr("log format 4")));
 }
 
 }  // namespace

@@ -4,6 +4,10 @@
 
 #include <thread>
 
+#include "device/simulated/ScriptedHand.h"
+#include "device/simulated/SimulatedDevice.h"
+#include "haptics/servo/FastLoop.h"
+#include "haptics/servo/SessionStart.h"
 #include "tests/session/SessionFixtures.h"
 
 namespace haptiv {
@@ -40,6 +44,50 @@ TEST_F(Resimulation, OfAFastRunGivesTheSameBits) {
   const Verification result = verify(SessionLog(folder_ / "s.h5"));
   EXPECT_TRUE(result.identical()) << result.first->field << " at " << result.first->tick;
   EXPECT_EQ(result.ticks, 2000u);
+}
+
+/// The simulated arm with a clock of its own, of whose readings some do not come.
+class LossyDevice : public HapticDevice {
+ public:
+  explicit LossyDevice(const HapticScene& scene)
+      : description_(loadDeviceDescription("vishard10")),
+        start_(sessionStart(scene, description_)),
+        arm_(description_, start_.angles,
+             std::make_unique<ScriptedHand>(
+                 std::vector<HandWaypoint>{{0, start_.wanted}, {0.5, start_.wanted + Vector3(0.1, 0.02, 0)}}),
+             1) {}
+
+  void start(double period) override { arm_.start(period); }
+  DeviceReading read() noexcept override {
+    if (ticks_ % 40 > 3) last_ = arm_.read();
+    if (ticks_ % 40 > 3) last_.deviceTime = 5'000'000 + 1000 * ticks_ + ticks_ % 3 * 40;
+    ++ticks_;
+    return last_;
+  }
+  void write(const DeviceCommand& command) noexcept override { arm_.write(command); }
+  void stop() override { arm_.stop(); }
+
+ private:
+  DeviceDescription description_;
+  SessionStart start_;
+  SimulatedDevice arm_;
+  DeviceReading last_;
+  std::int64_t ticks_ = 4;
+};
+
+TEST_F(Resimulation, ByTheDevicesTimeGivesTheSameBits) {
+  const SessionLog log(folder_ / "s.h5");
+  const HapticScene& scene = log.scenes()[0].scene;
+  LossyDevice device(scene);
+  std::vector<TickRecord> lossy;
+  runFast(device, loadDeviceDescription("vishard10"), 1000, scene, 1000, [&](const TickRecord& record) {
+    lossy.push_back(record);
+    return true;
+  });
+  EXPECT_EQ(lossy[999].state, SessionState::running);
+  EXPECT_EQ(lossy[79].reading.deviceTime, lossy[76].reading.deviceTime);
+  EXPECT_GT(lossy[80].reading.deviceTime, lossy[79].reading.deviceTime + 3000);
+  EXPECT_TRUE(verifyWith(lossy).identical());
 }
 
 TEST_F(Resimulation, NamesTickAndFieldOfAFlippedBit) {

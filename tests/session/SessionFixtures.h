@@ -49,10 +49,11 @@ inline bool sameRecord(const TickRecord& a, const TickRecord& b) {
          sameBits(a.handForce, b.handForce) && sameBits(a.environmentForce, b.environmentForce) &&
          sameBits(a.penetration, b.penetration) && a.contacts == b.contacts && a.zones == b.zones &&
          a.deepestWall == b.deepestWall && a.faults == b.faults && a.clamps == b.clamps && a.state == b.state &&
-         a.reading.inputs == b.reading.inputs && a.reading.trips == b.reading.trips &&
-         sameBits(a.handTorque, b.handTorque) && sameBits(a.command.jointTorques, b.command.jointTorques) &&
-         sameBits(a.passivityEnergy, b.passivityEnergy) && sameBits(a.passivityDamping, b.passivityDamping) &&
-         sameBits(a.command.jointRates, b.command.jointRates) && a.command.enabled == b.command.enabled;
+         a.reading.deviceTime == b.reading.deviceTime && a.reading.inputs == b.reading.inputs &&
+         a.reading.trips == b.reading.trips && sameBits(a.handTorque, b.handTorque) &&
+         sameBits(a.command.jointTorques, b.command.jointTorques) && sameBits(a.passivityEnergy, b.passivityEnergy) &&
+         sameBits(a.passivityDamping, b.passivityDamping) && sameBits(a.command.jointRates, b.command.jointRates) &&
+         a.command.enabled == b.command.enabled;
 }
 
 /// Records in which every bit is drawn, NaNs among them; tick and scene version are given.
@@ -68,8 +69,8 @@ class RandomRecords {
          record.reading.sensorCounts, record.jointAngles, record.desiredAngles, record.position, record.desiredPosition,
          record.desiredVelocity, record.handForce, record.environmentForce, record.penetration, record.contacts,
          record.zones, record.deepestWall, record.faults, record.clamps, record.reading.inputs, record.reading.trips,
-         record.handTorque, record.passivityEnergy, record.passivityDamping, record.command.jointRates,
-         record.command.jointTorques);
+         record.reading.deviceTime, record.handTorque, record.passivityEnergy, record.passivityDamping,
+         record.command.jointRates, record.command.jointTorques);
     record.state = static_cast<SessionState>(engine_() % 4);
     record.reading.connected = engine_() % 2 == 0;
     record.command.enabled = engine_() % 2 == 0;

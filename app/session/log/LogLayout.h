@@ -14,11 +14,12 @@
 ///   /scenes/bytes      the same scenes compiled (haptics/bytes/SceneBytes.h)
 ///   /events            a row an event: tick, time, kind (index into the attribute kinds), code (a state: index into
 ///                      states; a fault or a trip: index into faults, trips). None in format 1
-///   /servo/GROUP       a row a tick; attributes: columns, unit (of each column), frame
+///   /servo/GROUP       a row a tick; attributes: columns, unit (of each column), frame. No device_time_us before
+///   format 3
 namespace haptiv::log_layout {
 
 inline constexpr const char* kFormat = "haptiv-session";
-inline constexpr std::uint64_t kFormatVersion = 2;
+inline constexpr std::uint64_t kFormatVersion = 3;
 
 inline constexpr const char* kDeviceText = "/meta/device_toml";
 inline constexpr const char* kSceneName = "/meta/scene_name";

@@ -148,8 +148,10 @@ TickGroup SessionLog::File::stored(const TickGroup& group) const {
     found.columns.push_back(*known);
   }
   const auto same = [](const TickColumn& a, const TickColumn& b) { return a.name == b.name; };
+  std::vector<TickColumn> due = group.columns;
+  std::erase_if(due, [&](const TickColumn& column) { return column.since > formatVersion; });
   if (formatVersion > kFirstFormat &&
-      !std::equal(found.columns.begin(), found.columns.end(), group.columns.begin(), group.columns.end(), same))
+      !std::equal(found.columns.begin(), found.columns.end(), due.begin(), due.end(), same))
     hdf5::fail(path, name + " has other columns than a session log", kDamaged);
   return found;
 }

@@ -55,19 +55,23 @@ void addVector(TickGroup& group, const std::string& name, const std::string& uni
 
 TickGroup timeGroup() {
   using Number = std::int64_t;
-  return {"time",
-          "",
-          Cell::int64,
-          {column<Number>(
-               "tick", "1", kInput, [](auto& r) -> auto& { return r.tick; }),
-           column<Number>(
-               "time_ns", "ns", kInput, [](auto& r) -> auto& { return r.time; }),
-           column<Number>(
-               "wake_lateness_ns", "ns", kInput, [](auto& r) -> auto& { return r.wakeLateness; }),
-           column<Number>(
-               "compute_time_ns", "ns", kInput, [](auto& r) -> auto& { return r.computeTime; }),
-           column<Number>(
-               "missed_ticks", "1", kInput, [](auto& r) -> auto& { return r.missedTicks; })}};
+  TickGroup group{"time",
+                  "",
+                  Cell::int64,
+                  {column<Number>(
+                       "tick", "1", kInput, [](auto& r) -> auto& { return r.tick; }),
+                   column<Number>(
+                       "time_ns", "ns", kInput, [](auto& r) -> auto& { return r.time; }),
+                   column<Number>(
+                       "wake_lateness_ns", "ns", kInput, [](auto& r) -> auto& { return r.wakeLateness; }),
+                   column<Number>(
+                       "compute_time_ns", "ns", kInput, [](auto& r) -> auto& { return r.computeTime; }),
+                   column<Number>(
+                       "missed_ticks", "1", kInput, [](auto& r) -> auto& { return r.missedTicks; }),
+                   column<Number>(
+                       "device_time_us", "us", kInput, [](auto& r) -> auto& { return r.reading.deviceTime; })}};
+  group.columns.back().since = 3;
+  return group;
 }
 
 TickGroup rawGroup() {

@@ -18,6 +18,7 @@ struct TickColumn {
   std::function<void(const TickRecord&, std::byte*)> store;  ///< into a cell of the group's type
   std::function<void(TickRecord&, const std::byte*)> load;   ///< back, bit for bit
   std::function<double(const TickRecord&)> value;            ///< for people
+  std::uint64_t since = 2;                                   ///< format of the first logs that all have it
 };
 
 /// Columns that are stored together, as the dataset /servo/NAME.

@@ -1,5 +1,6 @@
 #include "device/usb/host/BoardClient.h"
 
+#include "device/usb/host/StatePace.h"
 #include "device/usb/libusb/UsbFailure.h"
 
 namespace haptiv::usb {
@@ -28,8 +29,14 @@ StreamEndpoints BoardClient::prepare(UsbHandle& handle) {
   intake_.begin(form_);
   outlet_.begin(form_);
   phase_ = isHomed ? BoardPhase::ready : BoardPhase::unhomed;
-  return {TransferKind::interrupt, kStateEndpoint, static_cast<std::size_t>(handle.maxPacketSize(kStateEndpoint)),
-          kCommandEndpoint, kLargestFrame};
+  const StatePace pace = statePace(period_, form_);
+  return {TransferKind::interrupt,
+          kStateEndpoint,
+          static_cast<std::size_t>(handle.maxPacketSize(kStateEndpoint)),
+          kCommandEndpoint,
+          kLargestFrame,
+          pace.ahead,
+          pace.rest};
 }
 
 void BoardClient::received(std::span<const std::uint8_t> packet) noexcept {

@@ -26,6 +26,8 @@ class BoardClient : public UsbClient {
 
   /// The counts to home the next board by that is opened, if it is not homed; once.
   void homeNext(const std::optional<HomeCounts>& counts) { home_ = counts; }
+  /// The servo's [s], by which states are taken; before the link is opened.
+  void setPeriod(double period) noexcept { period_ = period; }
   /// The board has been homed. Thread: the link's.
   void homed() noexcept { phase_ = BoardPhase::ready; }
 
@@ -33,6 +35,7 @@ class BoardClient : public UsbClient {
   void received(std::span<const std::uint8_t> packet) noexcept override;
   void faulted(TransferEnd end) noexcept override;
   std::size_t send(std::span<std::uint8_t> packet) noexcept override;
+  bool awaits() const noexcept override { return outlet_.awaitsEcho(); }
   void skip() noexcept override { outlet_.skip(); }
   void lost() noexcept override;
 
@@ -52,6 +55,7 @@ class BoardClient : public UsbClient {
   void expectThisArm(const UsbHandle& handle, const Identity& identity) const;
 
   DeviceDescription description_;
+  double period_ = 0;
   std::optional<HomeCounts> home_;
   LinkCounters counters_;
   StateIntake intake_{counters_};

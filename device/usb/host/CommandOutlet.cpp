@@ -1,6 +1,7 @@
 #include "device/usb/host/CommandOutlet.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 namespace haptiv::usb {
@@ -22,7 +23,7 @@ void CommandOutlet::begin(FrameForm form) noexcept {
   numbered_ = false;
   brakes_ = true;
   braked_ = true;
-  sent_.fill({});
+  timed_ = {};
   commands_.update();
 }
 
@@ -36,7 +37,7 @@ std::size_t CommandOutlet::packet(std::span<std::uint8_t> out, std::uint32_t ech
   if (!brakes) braked_ = false;
   if (brakes && !brakes_) brakedSince_ = sequence_;
   brakes_ = brakes;
-  sent_[sequence_ % sent_.size()] = {sequence_, outgoing.writtenAt};
+  if (sequence_ % kTimed == 0) timed_ = {sequence_, outgoing.writtenAt};
   ++counters_.sent;
   std::array<std::uint8_t, kLargestFrame> bytes{};
   const auto frame = encodeCommand(outgoing.command, form_, bytes);
@@ -49,9 +50,8 @@ void CommandOutlet::skip() noexcept {
 }
 
 void CommandOutlet::echoed(std::uint32_t sequence) noexcept {
-  Sent& sent = sent_[sequence % sent_.size()];
-  if (sent.writtenAt != 0 && sent.sequence == sequence) latencies_.add(now() - sent.writtenAt);
-  sent.writtenAt = 0;
+  if (awaitsEcho() && sequence == timed_.sequence) latencies_.add(now() - timed_.writtenAt);
+  if (static_cast<std::int32_t>(sequence - timed_.sequence) >= 0) timed_ = {};
   if (numbered_ && brakes_ && static_cast<std::int32_t>(sequence - brakedSince_) >= 0) braked_ = true;
 }
 

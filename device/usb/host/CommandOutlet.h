@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <atomic>
 
 #include "device/realtime/TimeHistogram.h"
@@ -10,10 +9,13 @@
 
 namespace haptiv::usb {
 
-/// Takes commands from the servo, the newest only, and makes packets of them; knows by the board's echo how long each
-/// was on its way, and whether the board brakes.
+/// Takes commands from the servo, the newest only, and makes packets of them; knows by the board's echo how long they
+/// are on their way, and whether the board brakes. The echo of each kTimed-th is waited for, to be timed: nobody else
+/// needs it before the servo reads again.
 class CommandOutlet {
  public:
+  static constexpr std::uint32_t kTimed = 8;
+
   explicit CommandOutlet(LinkCounters& counters) : counters_(counters) {}
 
   /// The heartbeat is this call. Thread: the servo.  Realtime-safe: yes.
@@ -29,9 +31,12 @@ class CommandOutlet {
   /// The board has accepted commands up to this one. Thread: the link's.
   void echoed(std::uint32_t sequence) noexcept;
 
+  /// A command is being timed: neither its echo nor a later one has come. Thread: the link's.
+  bool awaitsEcho() const noexcept { return timed_.writtenAt != 0; }
+
   /// No command since the last one that the board is known to have accepted lets the drives on. Thread: any.
   bool braked() const noexcept { return braked_; }
-  /// From `write` until the echo came in [ns]. Thread: any.
+  /// From `write` until the echo came in [ns], of those that were timed. Thread: any.
   TimeDistribution latencies() const { return latencies_.distribution(); }
 
  private:
@@ -39,9 +44,9 @@ class CommandOutlet {
     BoardCommand command;
     std::int64_t writtenAt = 0;  ///< [ns]
   };
-  struct Sent {
+  struct Timed {
     std::uint32_t sequence = 0;
-    std::int64_t writtenAt = 0;  ///< 0: has been echoed
+    std::int64_t writtenAt = 0;  ///< 0: none
   };
 
   LinkCounters& counters_;
@@ -53,7 +58,7 @@ class CommandOutlet {
   std::uint32_t sequence_ = 0;
   std::uint32_t brakedSince_ = 0;  // the number of the first command of those that brake
   bool brakes_ = true;             // the newest one
-  std::array<Sent, 64> sent_{};
+  Timed timed_;
   std::atomic<bool> braked_ = true;
   TimeHistogram latencies_;
 };

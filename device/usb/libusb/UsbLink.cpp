@@ -65,6 +65,7 @@ void UsbLink::open() {
   sched_param parameters{};
   parameters.sched_priority = kPriority;
   pthread_setschedparam(thread_.native_handle(), SCHED_FIFO, &parameters);  // as the servo: where it is permitted
+  pthread_setname_np(thread_.native_handle(), "haptiv-usb");                // for `top -H`
 }
 
 void UsbLink::close() {
@@ -91,7 +92,7 @@ void UsbLink::connect() {
 void UsbLink::run() {
   while (running_) {
     step();
-    events_.wait(patience());
+    events_.wait(patience(), stream_ && stream_->rests() ? Hearing::notTransfers : Hearing::everything);
   }
   if (stream_) drain();
   handle_.reset();
@@ -104,8 +105,9 @@ void UsbLink::step() {
   } else if (stream_->lost() || hotPlug_->left) {
     leave();
   } else {
+    if (events_.rang()) stream_->endRest();
     stream_->recover();
-    stream_->send();
+    if (stream_->send() && stream_->rest().count() > 0) events_.setAlarm(stream_->rest());
   }
   doWork();
 }
@@ -117,7 +119,12 @@ std::chrono::milliseconds UsbLink::patience() const {
 }
 
 void UsbLink::listen() {
-  stream_ = std::make_unique<UsbStream>(*handle_, endpoints_, client_);
+  try {
+    stream_ = std::make_unique<UsbStream>(*handle_, endpoints_, client_);
+  } catch (...) {
+    client_.lost();  // it has been prepared
+    throw;
+  }
   stream_->start();
 }
 
@@ -145,12 +152,20 @@ void UsbLink::reconnect() {
     connect();
     listen();
   } catch (const UsbFailure& failure) {
-    handle_.reset();
-    hotPlug_->mine = nullptr;
-    const bool mayYetBe = failure.trouble() != UsbTrouble::notFound && failure.trouble() != UsbTrouble::wrongDevice;
-    if (mayYetBe) tryAgain_ = std::chrono::steady_clock::now() + kLook;
-    tell(failure.what());
+    failed(failure.what(), failure.trouble() != UsbTrouble::notFound && failure.trouble() != UsbTrouble::wrongDevice);
+  } catch (const std::exception& error) {  // of the client, or for want of memory
+    failed("cannot use the " + kind_.name + " that was plugged in: " + error.what(), true);
+  } catch (...) {
+    failed("cannot use the " + kind_.name + " that was plugged in: switch it off and on", true);
   }
+}
+
+/// As before it was plugged in. `mayYetBe`: another attempt makes sense, though nothing is plugged in anew.
+void UsbLink::failed(const std::string& trouble, bool mayYetBe) {
+  handle_.reset();
+  hotPlug_->mine = nullptr;
+  if (mayYetBe) tryAgain_ = std::chrono::steady_clock::now() + kLook;
+  tell(trouble);
 }
 
 void UsbLink::betweenStreams(std::function<void(UsbHandle&)> work) {
@@ -178,7 +193,12 @@ void UsbLink::doWork() {
   if (!work.valid()) return;
   if (stream_) drain();
   work(handle_.get());
-  if (handle_) listen();
+  if (!handle_) return;
+  try {
+    listen();
+  } catch (const std::exception& error) {
+    failed("cannot go on with the " + kind_.name + ": " + error.what(), true);
+  }
 }
 
 void UsbLink::tell(const std::string& trouble) {

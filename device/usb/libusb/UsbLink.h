@@ -60,6 +60,7 @@ class UsbLink {
   void drain();
   void leave();
   void reconnect();
+  void failed(const std::string& trouble, bool mayYetBe);
   void doWork();
   void tell(const std::string& trouble);
 

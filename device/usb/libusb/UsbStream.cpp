@@ -3,7 +3,7 @@
 namespace haptiv::usb {
 
 UsbStream::UsbStream(UsbHandle& handle, const StreamEndpoints& endpoints, UsbClient& client)
-    : handle_(handle), endpoints_(endpoints), client_(client) {
+    : handle_(handle), endpoints_(endpoints), client_(client), in_(static_cast<std::size_t>(endpoints.ahead)) {
   for (Slot& slot : in_)
     slot = std::make_unique<UsbTransfer>(handle, endpoints.kind, endpoints.in, endpoints.inSize,
                                          [this](UsbTransfer& transfer) { back(transfer, true); });
@@ -41,15 +41,22 @@ void UsbStream::back(UsbTransfer& transfer, bool in) noexcept {
   if (goesOn && !inStalled_) listen(transfer);
 }
 
-void UsbStream::send() noexcept {
-  if (lost_ || closing_ || endpoints_.out == 0) return;
+bool UsbStream::send() noexcept {
+  if (lost_ || closing_ || endpoints_.out == 0) return false;
   for (Slot& slot : out_) {
     if (slot->inFlight()) continue;
     const std::size_t length = outStalled_ ? 0 : client_.send(slot->buffer());
-    if (length > 0 && slot->submit(length) != TransferEnd::done) lost_ = true;
-    return;
+    if (length == 0) return false;
+    lost_ = slot->submit(length) != TransferEnd::done;
+    resting_ = endpoints_.rest.count() > 0;
+    return !lost_;
   }
   client_.skip();
+  return false;
+}
+
+bool UsbStream::rests() const noexcept {
+  return resting_ && !client_.awaits() && !lost_ && !closing_ && !inStalled_ && !outStalled_;
 }
 
 void UsbStream::recover() noexcept {

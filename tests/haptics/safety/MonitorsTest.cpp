@@ -230,6 +230,52 @@ TEST_F(EncoderMonitorTest, BearsAReadingThatComesTwice) {
   }
 }
 
+TEST_F(EncoderMonitorTest, TakesTheDevicesTimeWhereReadingsDidNotCome) {
+  const EncoderMonitor monitor(description, kPeriod);
+  for (const double part : {0.97, 1.05}) {  // of the impulses at which a joint is too fast
+    EncoderState state;
+    std::uint32_t faults = kNoFault;
+    for (const int time : {1000, 2000, 3000, 8000, 9000, 9875, 11000, 11125}) {
+      DeviceReading reading;
+      reading.deviceTime = time;
+      reading.encoderCounts[1] = static_cast<std::int32_t>(part * 0.72 * time);
+      faults |= monitor(reading, nullptr, state);
+    }
+    EXPECT_EQ(faults, part < 1 ? kNoFault : kFaultJointSpeed);
+  }
+}
+
+TEST_F(EncoderMonitorTest, DoesNotTakeTheSameReadingAgainForAnEncoderThatStands) {
+  const EncoderMonitor monitor(description, kPeriod);
+  for (const bool same : {true, false}) {
+    EncoderState state;
+    JointVector desired = JointVector::Zero();
+    std::uint32_t faults = kNoFault;
+    for (int i = 0; i < 9; ++i) {
+      DeviceReading reading;
+      reading.deviceTime = same ? 5000 : 5000 + 1000 * i;
+      desired[2] += 1e-3;
+      faults |= monitor(reading, &desired, state);
+    }
+    EXPECT_EQ(faults, same ? kNoFault : kFaultEncoderStuck);
+  }
+}
+
+TEST_F(EncoderMonitorTest, BeginsWithTheFirstReadingThatIsConnected) {
+  const EncoderMonitor monitor(description, kPeriod);
+  EncoderState state;
+  DeviceReading reading;
+  for (int times = 0; times < 2; ++times) {  // at first, and after the device has left and come back elsewhere
+    reading.connected = false;
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(monitor(reading, nullptr, state), kNoFault);
+    reading.connected = true;
+    reading.encoderCounts.fill(50'000 + 70'000 * times);
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(monitor(reading, nullptr, state), kNoFault);
+  }
+  reading.encoderCounts[4] += 10'000;
+  EXPECT_EQ(monitor(reading, nullptr, state), kFaultEncoderJump);
+}
+
 // --- the motion as a whole
 
 TEST(ToolSpeedMonitorTest, BrakesBeforeTheToolReachesItsClamp) {

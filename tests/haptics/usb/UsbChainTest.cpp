@@ -47,6 +47,40 @@ TEST_P(UsbChain, StopsInTheTickThatFindsTheBoardUnplugged) {
   EXPECT_EQ(stoppedAt, 401);
 }
 
+/// The slowest and the fastest rate [rad/s] that is measured of a joint which turns steadily at 0.3 rad/s; with states
+/// lost in between, for two ticks in a row, after which the host does not yet slow the arm, and for one.
+std::pair<double, double> measuredRates(UsbSpeed speed, bool lossy) {
+  const DeviceDescription description = loadDeviceDescription("vishard10");
+  const Measuring measure(description, 1e-3);
+  BenchedUsbDevice device(description, speed);
+  device.start(1e-3);
+  MeasuringState state;
+  DeviceCommand command;
+  std::pair<double, double> rates{1, 0};
+  const int perTick = speed == UsbSpeed::high ? 8 : 1;
+  for (int tick = 0; tick < 600; ++tick) {
+    command.enabled = tick >= 5;
+    if (command.enabled) command.jointRates[0] = 0.3;
+    if (lossy && tick % 100 == 50) device.port().faults.lose = 2 * perTick;
+    if (lossy && tick % 100 == 80) device.port().faults.lose = perTick;
+    const double rate = measure({}, device.read(), state).rates[0];
+    if (tick > 300) rates = {std::min(rates.first, rate), std::max(rates.second, rate)};  // it is up to speed
+    device.write(command);
+  }
+  device.stop();
+  return rates;
+}
+
+TEST_P(UsbChain, MissingStatesMakeNoJointLookFast) {
+  const auto [slowest, fastest] = measuredRates(GetParam(), false);
+  EXPECT_NEAR(slowest, 0.3, 0.04);  // the encoder's steps, behind the low-pass
+  EXPECT_NEAR(fastest, 0.3, 0.04);
+  const auto [slowestOfLossy, fastestOfLossy] = measuredRates(GetParam(), true);
+  constexpr double kSame = 0.005;
+  EXPECT_GT(slowestOfLossy, slowest - kSame);
+  EXPECT_LT(fastestOfLossy, fastest + kSame);
+}
+
 INSTANTIATE_TEST_SUITE_P(Speeds, UsbChain, testing::Values(UsbSpeed::high, UsbSpeed::full),
                          [](const auto& speed) { return speed.param == UsbSpeed::high ? "HighSpeed" : "FullSpeed"; });
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tests/support/usb/ShimTime.h"
 #include "tests/support/usb/UsbfsShim.h"
 
 namespace haptiv::test {
@@ -14,17 +15,24 @@ PollWatch::Sleeper& PollWatch::of(std::thread::id thread) {
 }
 
 int PollWatch::poll(pollfd* descriptors, nfds_t count, int timeout) {
-  const std::thread::id self = std::this_thread::get_id();
-  {
-    const std::lock_guard lock(mutex_);
-    Sleeper& sleeper = of(self);
-    sleeper.awaits.assign(descriptors, descriptors + count);
-    sleeper.asleep = true;
-  }
+  fallsAsleep(descriptors, count);
   const int ready = realPoll(descriptors, count, timeout);
-  const std::lock_guard lock(mutex_);
-  of(self).asleep = false;
+  wakesUp();
   return ready;
+}
+
+void PollWatch::fallsAsleep(const pollfd* descriptors, nfds_t count) {
+  const ShimTime time;
+  const std::lock_guard lock(mutex_);
+  Sleeper& sleeper = of(std::this_thread::get_id());
+  sleeper.awaits.assign(descriptors, descriptors + count);
+  sleeper.asleep = true;
+}
+
+void PollWatch::wakesUp() {
+  const ShimTime time;
+  const std::lock_guard lock(mutex_);
+  of(std::this_thread::get_id()).asleep = false;
 }
 
 bool PollWatch::quiet(const std::vector<int>& attended) const {
@@ -32,8 +40,9 @@ bool PollWatch::quiet(const std::vector<int>& attended) const {
   const std::lock_guard lock(mutex_);
   const auto isAttended = [&](int descriptor) {
     return std::any_of(sleepers_.begin(), sleepers_.end(), [&](const Sleeper& sleeper) {
-      return sleeper.asleep && std::any_of(sleeper.awaits.begin(), sleeper.awaits.end(),
-                                           [&](const pollfd& awaited) { return awaited.fd == descriptor; });
+      return sleeper.asleep && std::any_of(sleeper.awaits.begin(), sleeper.awaits.end(), [&](const pollfd& awaited) {
+               return std::max(awaited.fd, ~awaited.fd) == descriptor;
+             });
     });
   };
   if (!std::all_of(attended.begin(), attended.end(), isAttended)) return false;
@@ -42,6 +51,11 @@ bool PollWatch::quiet(const std::vector<int>& attended) const {
     std::vector<pollfd> awaits = sleeper.awaits;
     return sleeper.asleep && realPoll(awaits.data(), awaits.size(), 0) == 0;
   });
+}
+
+void PollWatch::expect(std::thread::id thread) {
+  const std::lock_guard lock(mutex_);
+  of(thread);
 }
 
 void PollWatch::forget(std::thread::id thread) {

@@ -15,8 +15,10 @@ class PollWatch {
   /// A poll that is watched.
   int poll(pollfd* descriptors, nfds_t count, int timeout);
   /// Every thread that has ever slept in poll, but the caller, sleeps there now, with nothing to wake it; and each of
-  /// these descriptors is waited for by one.
+  /// these descriptors is waited for by one, or passed over by it for now (its complement).
   bool quiet(const std::vector<int>& attended) const;
+  /// A thread has been started that will sleep in poll: nothing is quiet before it does.
+  void expect(std::thread::id thread);
   /// The calling thread ends.
   void forget(std::thread::id thread);
 
@@ -27,6 +29,8 @@ class PollWatch {
     std::vector<pollfd> awaits;
   };
   Sleeper& of(std::thread::id thread);
+  void fallsAsleep(const pollfd* descriptors, nfds_t count);
+  void wakesUp();
 
   mutable std::mutex mutex_;
   std::vector<Sleeper> sleepers_;

@@ -5,10 +5,14 @@
 
 #include <dlfcn.h>
 #include <poll.h>
+#include <pthread.h>
+#include <sys/timerfd.h>
 
 #include <cerrno>
 #include <cstdarg>
+#include <string_view>
 
+#include "tests/support/usb/ShimTime.h"
 #include "tests/support/usb/VirtualBus.h"
 
 namespace haptiv::test {
@@ -27,6 +31,24 @@ std::optional<int> openOnBus(const char* path) {
   if (!opened || *opened >= 0) return opened;
   errno = -*opened;
   return -1;
+}
+
+/// Zero, or the error number; nothing: the file is none of the bus's.
+std::optional<int> askBus(int descriptor, unsigned long request, void* argument) {
+  const ShimTime time;
+  VirtualBus* bus = VirtualBus::installed();
+  return bus != nullptr ? bus->control(descriptor, request, argument) : std::nullopt;
+}
+
+int realSetTime(int timer, int flags, const itimerspec* value, itimerspec* before) {
+  static const auto real = next<int (*)(int, int, const itimerspec*, itimerspec*)>("timerfd_settime");
+  return real(timer, flags, value, before);
+}
+
+/// libusb's threads do nothing but wait for events; one that has just been started has missed none of them.
+bool isLibusb(const void* caller) {
+  Dl_info info{};
+  return dladdr(caller, &info) != 0 && std::string_view(info.dli_fname).find("libusb") != std::string_view::npos;
 }
 
 /// Tells the watch when its thread ends.
@@ -49,6 +71,13 @@ int realPoll(pollfd* descriptors, nfds_t count, int timeout) {
 int realClose(int descriptor) {
   static const auto real = next<int (*)(int)>("close");
   return real(descriptor);
+}
+
+void realRing(int timer) {
+  constexpr itimerspec kAtOnce{{}, {0, 1}};
+  realSetTime(timer, 0, &kAtOnce, nullptr);
+  itimerspec left = kAtOnce;
+  while (left.it_value.tv_sec != 0 || left.it_value.tv_nsec != 0) timerfd_gettime(timer, &left);
 }
 
 }  // namespace haptiv::test
@@ -84,11 +113,28 @@ int ioctl(int descriptor, unsigned long request, ...) noexcept {
   va_start(more, request);
   void* argument = va_arg(more, void*);
   va_end(more);
-  VirtualBus* bus = VirtualBus::installed();
-  const std::optional<int> error = bus != nullptr ? bus->control(descriptor, request, argument) : std::nullopt;
+  const std::optional<int> error = haptiv::test::askBus(descriptor, request, argument);
   if (!error) return real(descriptor, request, argument);
   errno = *error;
   return *error == 0 ? 0 : -1;
+}
+
+int timerfd_settime(int timer, int flags, const itimerspec* value, itimerspec* before) noexcept {
+  const std::int64_t after = value->it_value.tv_sec * 1'000'000 + value->it_value.tv_nsec / 1000;
+  VirtualBus* bus = VirtualBus::installed();
+  if (flags != 0 || after == 0 || bus == nullptr || !bus->setAlarm(timer, after))
+    return haptiv::test::realSetTime(timer, flags, value, before);
+  constexpr itimerspec kNever{};
+  return haptiv::test::realSetTime(timer, 0, &kNever, before);
+}
+
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*run)(void*), void* argument) noexcept {
+  static const auto real =
+      haptiv::test::next<int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)>("pthread_create");
+  const int error = real(thread, attributes, run, argument);
+  if (error == 0 && haptiv::test::isLibusb(__builtin_return_address(0)))
+    haptiv::test::pollWatch().expect(std::thread::id(*thread));
+  return error;
 }
 
 int poll(pollfd* descriptors, nfds_t count, int timeout) {

@@ -1,5 +1,6 @@
 #include "tests/support/usb/VirtualBus.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -18,7 +19,7 @@ constexpr std::chrono::seconds kHang{30};
 
 }  // namespace
 
-VirtualBus::VirtualBus() {
+VirtualBus::VirtualBus(Clock clock) : clock_(clock) {
   VirtualBus* none = nullptr;
   if (!installedBus.compare_exchange_strong(none, this)) throw std::logic_error("there is a virtual bus already");
 }
@@ -53,7 +54,31 @@ void VirtualBus::unplug(VirtualPort& port) {
 
 void VirtualBus::step() {
   const std::lock_guard lock(mutex_);
-  for (VirtualPort& port : ports_) port.tick();
+  std::int64_t interval = 1000;  // as for full speed
+  for (VirtualPort& port : ports_) {
+    port.tick();
+    if (port.plugged()) interval = std::min(interval, port.interval());
+  }
+  now_ += interval;
+  ringAlarms();
+}
+
+void VirtualBus::ringAlarms() {
+  for (auto alarm = alarms_.begin(); alarm != alarms_.end();) {
+    if (alarm->second > now_) {
+      ++alarm;
+      continue;
+    }
+    realRing(alarm->first);
+    alarm = alarms_.erase(alarm);
+  }
+}
+
+bool VirtualBus::setAlarm(int descriptor, std::int64_t after) {
+  if (clock_ == Clock::wall) return false;
+  const std::lock_guard lock(mutex_);
+  alarms_[descriptor] = now_ + after;
+  return true;
 }
 
 void VirtualBus::tick(int intervals) {
@@ -101,6 +126,7 @@ std::optional<int> VirtualBus::control(int descriptor, unsigned long request, vo
 void VirtualBus::closing(int descriptor) {
   const std::lock_guard lock(mutex_);
   for (VirtualPort& port : ports_) port.close(descriptor);
+  alarms_.erase(descriptor);
 }
 
 }  // namespace haptiv::test

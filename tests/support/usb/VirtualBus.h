@@ -1,6 +1,7 @@
 #pragma once
 
 #include <list>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -20,11 +21,19 @@ namespace haptiv::test {
 ///     port.faults.lose = 1;
 ///     bus.unplug(port);
 ///
+/// An alarm of the host's (timerfd, so long from now) rings by the bus's time too, at the end of the interval in which
+/// it is due; those by an absolute time are left alone, which are libusb's time limits.
+///
 /// One bus at a time, and it is there before libusb is started: the functions of libc that libusb calls are replaced
 /// for the whole program (UsbfsShim.cpp). Thread: any one at a time, while libusb has threads of its own.
 class VirtualBus {
  public:
-  VirtualBus();
+  enum class Clock {
+    test,  ///< time goes on with `tick`
+    wall,  ///< a thread calls `step` by the wall clock, by which alarms ring too
+  };
+
+  explicit VirtualBus(Clock clock = Clock::test);
   ~VirtualBus();
   VirtualBus(const VirtualBus&) = delete;
   VirtualBus& operator=(const VirtualBus&) = delete;
@@ -44,14 +53,19 @@ class VirtualBus {
   std::optional<int> open(const char* path);  ///< a file descriptor, or a negative error number
   std::optional<int> control(int descriptor, unsigned long request, void* argument);  ///< zero, or an error number
   void closing(int descriptor);
+  bool setAlarm(int descriptor, std::int64_t after);  ///< so long from now [us]; false: the bus does not keep time
 
  private:
   std::vector<int> awaited();
+  void ringAlarms();
 
+  Clock clock_;
   std::mutex mutex_;
   SysfsTestbed sysfs_;
   std::list<VirtualPort> ports_;  // unplugged ones too: files may still be open
   int nextAddress_ = 2;
+  std::int64_t now_ = 0;                // [us]
+  std::map<int, std::int64_t> alarms_;  // when they ring, by their descriptors [us]
 };
 
 }  // namespace haptiv::test

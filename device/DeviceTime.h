@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+namespace haptiv {
+
+/// Time from one reading to the next by the device's clock [s]; 0: it is the same one again. Where the device tells no
+/// time, or its clock has begun anew, it is taken to be the servo's period.
+///
+/// @param before, now  DeviceReading::deviceTime [us]
+/// Realtime-safe: yes.
+inline double timeBetween(std::int64_t before, std::int64_t now, double period) noexcept {
+  if (before == 0 || now == 0) return period;
+  const double passed = 1e-6 * (static_cast<double>(now) - static_cast<double>(before));
+  return passed >= 0 ? passed : period;
+}
+
+}  // namespace haptiv
