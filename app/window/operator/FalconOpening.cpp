@@ -20,7 +20,7 @@ void FalconOpening::cancel() {
 /// On the thread; what it has to say, the GUI's says.
 void FalconOpening::run(const std::stop_token& stop, const DeviceDescription& description, FalconChoice choice,
                         double period) {
-  choice.cancelled = stop;
+  choice.cancelled = [stop] { return stop.stop_requested(); };
   choice.tell = [this](const std::string& what) {
     QMetaObject::invokeMethod(this, [this, text = QString::fromStdString(what)] { emit told(text); });
   };

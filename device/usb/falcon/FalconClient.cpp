@@ -34,6 +34,7 @@ usb::StreamEndpoints Client::prepare(usb::UsbHandle& handle) {
   last_.state = {};
   last_.homing = Homing::searching;
   answered_ = true;
+  sentStill_ = still_ = true;
   silent_ = kPatience;
   there_ = true;
   return {usb::TransferKind::bulk, kInEndpoint, Stream::kUsbPacket, kOutEndpoint, Stream::kUsbPacket};
@@ -49,6 +50,7 @@ void Client::received(std::span<const std::uint8_t> packet) noexcept {
   ++states_;
   last_ = {*state, next(last_.homing, state->homed), states_};
   answered_ = true;
+  if (sentStill_) still_ = true;
   seen_.write(last_);
 }
 
@@ -67,7 +69,8 @@ std::size_t Client::send(std::span<std::uint8_t> packet) noexcept {
   answered_ = false;
   silent_ = 0;
   ++sent_;
-  still_ = order.motors == Order{}.motors;
+  sentStill_ = order.motors == Order{}.motors;
+  if (!sentStill_) still_ = false;
   return bytes.size();
 }
 

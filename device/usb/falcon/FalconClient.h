@@ -53,7 +53,7 @@ class Client : public usb::UsbClient {
 
   // Thread: any.
   bool isThere() const noexcept { return there_; }
-  bool isStill() const noexcept { return still_; }  ///< the order that was sent last asks for no torque
+  bool isStill() const noexcept { return still_; }  ///< the order that was answered last asks for no torque
   Figures figures() const noexcept { return {states_, damaged_, sent_, unasked_, errors_, losses_}; }
 
  private:
@@ -72,6 +72,7 @@ class Client : public usb::UsbClient {
   Stream stream_;
   Seen last_;
   bool answered_ = true;    // the last order
+  bool sentStill_ = true;   // it asks for no torque
   int silent_ = kPatience;  // packets without a state since then
 
   std::atomic<bool> there_ = false, still_ = true;

@@ -60,7 +60,7 @@ void FalconDevice::Parts::waitUntilHomed() {
   const auto end = Clock::now() + choice.homingTime;
   for (bool told = false; !(client.newest(seen) && seen.homing == falcon::Homing::homed);) {
     if (!client.isThere()) throw std::runtime_error("the Falcon has left while it was homed: " + link->trouble());
-    if (choice.cancelled.stop_requested()) throw std::runtime_error("the Falcon was not homed: cancelled");
+    if (choice.cancelled && choice.cancelled()) throw std::runtime_error("the Falcon was not homed: cancelled");
     if (!told && seen.number > 0 && choice.tell)
       choice.tell("Falcon: pull the grip all the way out, then push it in, until its light is blue");
     told = told || seen.number > 0;

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <stop_token>
 #include <string>
 
 #include "device/DeviceDescription.h"
@@ -19,7 +18,7 @@ struct FalconChoice {
   std::string firmware;                          ///< file; empty: falcon::firmwarePath()
   std::function<void(const std::string&)> tell;  ///< gets what the operator has to do meanwhile; may be empty
   std::chrono::seconds homingTime{60};           ///< that the operator has for it
-  std::stop_token cancelled;                     ///< asks to give up waiting for the operator
+  std::function<bool()> cancelled;               ///< whether nobody waits for it any more; may be empty
 };
 
 /// A Novint Falcon over USB; docs/falcon.md: what is known of it, and what nobody could verify.

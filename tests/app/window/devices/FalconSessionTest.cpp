@@ -24,6 +24,9 @@ TEST_F(FalconWindow, IsHomedByTheOperatorAndFeltAndStoppedByEsc) {
   EXPECT_TRUE(waitFor([&] { return state.text().contains("emergency stop"); })) << state.text().toStdString();
   EXPECT_TRUE(waitFor([&] { return falcon().lastOrder().motors == falcon::Order{}.motors; }));
   picture("falcon-stopped");
+  falcon().setButtons(0);
+  find<QAction>("resetAction").trigger();
+  EXPECT_TRUE(waitFor([&] { return state.text() == "Ready"; })) << state.text().toStdString();
   stopSession();
   EXPECT_EQ(state.text(), "Replay") << "its log is whole";
 }

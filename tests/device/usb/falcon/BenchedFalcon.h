@@ -98,6 +98,7 @@ class BenchedFalcon : public HapticDevice {
   std::function<void(VirtualFalcon&)> beforePlugging;  ///< to make it another one
   std::function<void(const std::string&)> tell;        ///< gets what the operator is told
   std::chrono::seconds homingTime{30};
+  std::function<bool()> cancelled;  ///< whether homing is given up
 
  private:
   FalconChoice choice() const {
@@ -105,6 +106,7 @@ class BenchedFalcon : public HapticDevice {
     choice.firmware = firmware_;
     choice.tell = tell;
     choice.homingTime = homingTime;
+    choice.cancelled = cancelled;
     return choice;
   }
 
