@@ -9,8 +9,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "device/Encoder.h"
 #include "device/descriptions/BuiltInDescriptions.h"
-#include "device/simulated/Encoder.h"
 
 namespace haptiv {
 

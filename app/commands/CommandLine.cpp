@@ -3,19 +3,19 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "app/commands/BenchCommand.h"
-#include "app/commands/BoardCommand.h"
-#include "app/commands/CheckCommand.h"
 #include "app/commands/Command.h"
 #include "app/commands/ExitCode.h"
-#include "app/commands/ExperimentCommand.h"
-#include "app/commands/GenerateCommand.h"
-#include "app/commands/InfoCommand.h"
-#include "app/commands/KinematicsCommand.h"
-#include "app/commands/ReplayCommand.h"
-#include "app/commands/RunCommand.h"
 #include "app/commands/WindowCommand.h"
+#include "app/commands/device/BoardCommand.h"
 #include "app/commands/device/DeviceCommand.h"
+#include "app/commands/scene/CheckCommand.h"
+#include "app/commands/scene/GenerateCommand.h"
+#include "app/commands/session/InfoCommand.h"
+#include "app/commands/session/ReplayCommand.h"
+#include "app/commands/session/RunCommand.h"
+#include "app/commands/study/BenchCommand.h"
+#include "app/commands/study/ExperimentCommand.h"
+#include "app/commands/study/KinematicsCommand.h"
 #include "app/version.h"
 
 namespace haptiv {

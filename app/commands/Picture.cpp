@@ -5,8 +5,8 @@
 #include <QSaveFile>
 
 #include "app/commands/ExitCode.h"
-#include "app/view/HapticOverlay.h"
-#include "app/view/OffscreenPicture.h"
+#include "app/view/drawn/HapticOverlay.h"
+#include "app/view/picture/OffscreenPicture.h"
 
 namespace haptiv {
 namespace {

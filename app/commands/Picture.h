@@ -3,7 +3,7 @@
 #include <QImage>
 #include <string>
 
-#include "app/commands/LoadedScene.h"
+#include "app/commands/scene/LoadedScene.h"
 #include "haptics/tick/TickRecord.h"
 
 namespace haptiv {

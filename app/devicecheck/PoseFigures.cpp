@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "device/redundancy/Criterion.h"
+#include "device/redundancy/criterion/Criterion.h"
 #include "haptics/safety/Clamps.h"
 
 namespace haptiv {

@@ -3,7 +3,7 @@
 #include <QLabel>
 #include <QWidget>
 
-#include "device/redundancy/Criterion.h"
+#include "device/redundancy/criterion/Criterion.h"
 
 namespace haptiv {
 

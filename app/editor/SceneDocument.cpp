@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "app/editor/Selection.h"
-#include "app/view/PictureDecoder.h"
+#include "app/view/picture/PictureDecoder.h"
 #include "scenegraph/judging/SceneJudge.h"
 
 namespace haptiv {

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "device/kinematics/Vishard10.h"
-#include "device/redundancy/Criterion.h"
 #include "device/redundancy/DriftCorrection.h"
+#include "device/redundancy/criterion/Criterion.h"
 
 namespace haptiv {
 namespace {

@@ -8,8 +8,8 @@
 
 namespace haptiv {
 
-/// The time line below the view: play and pause, speed, a slider, the time, and plots of force and position that
-/// share its cursor and its zoom.
+/// The time line below the view: controls, and plots of force, position and energy that share their cursor and their
+/// zoom.
 ///
 /// Keys: space plays and pauses, left and right go one tick (with shift: 10 ms), Home and End to the ends.
 class ReplayBar : public QWidget {
@@ -22,12 +22,10 @@ class ReplayBar : public QWidget {
   void setPlayer(ReplayPlayer* player);
 
  private:
-  void buildControls();
+  void layOut();
   void addKeys();
   void connectPlayer();
   void showTime();
-  void showPlaying();
-  void reserveWidths();
   void showCurves();
   void shareRange(double from, double to);
   void keepCursorInSight(double time);

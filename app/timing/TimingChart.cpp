@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/timing/DurationText.h"
+
 namespace haptiv {
 namespace {
 
@@ -15,17 +17,6 @@ const QColor kInk(0x55, 0x5b, 0x61);
 const QColor kPeriod(0xb0, 0x00, 0x20);
 
 }  // namespace
-
-QString durationText(double nanoseconds) {
-  const char* unit = "ns";
-  double value = nanoseconds;
-  for (const char* larger : {"us", "ms", "s"}) {
-    if (value < 999.5) break;
-    value /= 1000;
-    unit = larger;
-  }
-  return QString("%1 %2").arg(value, 0, 'g', 3).arg(unit);
-}
 
 TimingChart::TimingChart(QWidget* parent) : QWidget(parent) {
   setObjectName("timingChart");
@@ -69,7 +60,8 @@ void TimingChart::paintAxes(QPainter& painter) const {
     painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
     painter.setPen(kInk);
     if (std::lround(std::log10(time)) % 3 == 0 || area.width() > 420)
-      painter.drawText(QRectF(x - 40, area.bottom() + 1, 80, letters), Qt::AlignCenter, durationText(time));
+      painter.drawText(QRectF(x - 40, area.bottom() + 1, 80, letters), Qt::AlignCenter,
+                       QString::fromStdString(durationText(time)));
   }
   for (int power = 0; power <= static_cast<int>(kTopPower); power += 2) {
     const double y = yOf(std::pow(10, power));

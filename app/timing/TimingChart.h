@@ -36,7 +36,4 @@ class TimingChart : public QWidget {
   double period_ = 0;
 };
 
-/// "850 ns", "12.3 us", "1.25 ms", "2.1 s".
-QString durationText(double nanoseconds);
-
 }  // namespace haptiv

@@ -3,6 +3,8 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "app/timing/DurationText.h"
+
 namespace haptiv {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr int kUsualRate = 1000;
 
 /// A swatch of the outline's colour, and the figures.
 QString figures(const QString& name, const QColor& colour, const TimeDistribution& times) {
-  const auto text = [](std::int64_t time) { return durationText(static_cast<double>(time)); };
+  const auto text = [](std::int64_t time) { return QString::fromStdString(durationText(static_cast<double>(time))); };
   return QString(
              "<span style='color:%1'>&#9632;</span> %2: half within %3, 99 % within %4, 99.9 % within %5, longest %6")
       .arg(colour.name(), name, text(times.quantile(0.5)), text(times.quantile(0.99)), text(times.quantile(0.999)),

@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/view/HapticOverlay.h"
+#include "app/view/drawn/HapticOverlay.h"
 
 namespace haptiv {
 

@@ -26,9 +26,14 @@ class MainWindow : public QMainWindow {
 
  private:
   void buildActions();
+  void buildMenus();
   void buildToolBar();
   void buildDocks();
-  void connectParts();
+  void connectFiles();
+  void connectDocument();
+  void connectSession();
+  void connectOperator();
+  void connectView();
   void connectDexterity();
   void connectDevices();
   void buildCalibration();

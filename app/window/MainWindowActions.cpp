@@ -56,7 +56,10 @@ void MainWindow::buildActions() {
   p.showAll = action(this, "showAllAction", tr("Show all"), tr("Bring the whole scene into view"), {"A"});
   p.showArm = action(this, "showArmAction", tr("Arm"), tr("Show the device's arm"), {}, true);
   p.showArm->setChecked(true);
+}
 
+void MainWindow::buildMenus() {
+  Parts& p = *parts_;
   QMenu* file = menuBar()->addMenu(tr("&File"));
   file->addActions({p.newScene, p.open, p.save, p.saveAs});
   file->addSeparator();
@@ -84,8 +87,6 @@ void MainWindow::buildActions() {
   look->addSeparator();
   for (const Manipulability which : {Manipulability::translational, Manipulability::rotational})
     look->addAction(p.dexterity->ellipsoids().action(which));
-
-  buildToolBar();
 }
 
 void MainWindow::buildToolBar() {

@@ -7,8 +7,8 @@
 
 #include "app/session/SceneControl.h"
 #include "app/session/SceneResolution.h"
-#include "app/session/SpaceMouseOperator.h"
 #include "app/session/UsbBoards.h"
+#include "app/session/hands/SpaceMouseOperator.h"
 #include "app/window/LogFolder.h"
 
 namespace haptiv {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "device/parsing/DescriptionFormat.h"
+#include "device/parsing/Section.h"
 
 namespace haptiv {
 namespace {

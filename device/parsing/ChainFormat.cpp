@@ -1,6 +1,6 @@
 #include "device/parsing/ChainFormat.h"
 
-#include "device/parsing/DescriptionFormat.h"
+#include "device/parsing/Section.h"
 
 namespace haptiv {
 namespace {

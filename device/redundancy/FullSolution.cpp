@@ -1,6 +1,6 @@
 #include "device/redundancy/FullSolution.h"
 
-#include "device/redundancy/CriterionGradient.h"
+#include "device/redundancy/criterion/CriterionGradient.h"
 
 namespace haptiv {
 

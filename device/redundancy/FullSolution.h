@@ -1,8 +1,8 @@
 #pragma once
 
-#include "device/redundancy/CriterionPair.h"
-#include "device/redundancy/PseudoInverse.h"
 #include "device/redundancy/ResolutionChoice.h"
+#include "device/redundancy/criterion/CriterionPair.h"
+#include "device/redundancy/matrices/PseudoInverse.h"
 
 namespace haptiv {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "device/DeviceDescription.h"
-#include "device/redundancy/CriterionPair.h"
+#include "device/redundancy/criterion/CriterionPair.h"
 
 namespace haptiv {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "device/redundancy/CriterionGradient.h"
+#include "device/redundancy/criterion/CriterionGradient.h"
 
 namespace haptiv {
 namespace {

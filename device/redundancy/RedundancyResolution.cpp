@@ -4,11 +4,11 @@
 
 #include "device/kinematics/ArmKinematics.h"
 #include "device/redundancy/FullSolution.h"
-#include "device/redundancy/JacobianDerivative.h"
 #include "device/redundancy/Normalisation.h"
 #include "device/redundancy/PartitionedSolution.h"
 #include "device/redundancy/StepBounds.h"
 #include "device/redundancy/ToolDisplacement.h"
+#include "device/redundancy/criterion/JacobianDerivative.h"
 
 namespace haptiv {
 namespace {

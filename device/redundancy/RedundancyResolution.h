@@ -3,8 +3,8 @@
 #include <array>
 
 #include "device/DeviceDescription.h"
-#include "device/redundancy/CriterionPair.h"
 #include "device/redundancy/ResolutionNames.h"
+#include "device/redundancy/criterion/CriterionPair.h"
 #include "device/types.h"
 
 namespace haptiv {

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "device/Encoder.h"
 #include "device/board/Board.h"
-#include "device/simulated/Encoder.h"
 #include "device/simulated/FaultySensors.h"
 #include "device/simulated/plant/SimulatedArm.h"
 

@@ -2,7 +2,9 @@
 
 #include <string>
 
+#include "haptics/bytes/ChoiceBytes.h"
 #include "haptics/bytes/MeshBytes.h"
+#include "haptics/bytes/ShapeReader.h"
 
 namespace haptiv {
 namespace {
@@ -10,13 +12,11 @@ namespace {
 constexpr std::string_view kMagic = "HAPTSCN1";
 constexpr std::uint32_t kFormat =
     4;  // 2 added the choice of a resolution; 3 meshes and rubber bands; 4 how the arm is driven
-constexpr std::uint8_t kAsDescribed = 255;
 constexpr std::size_t kShapeSize = 1 + 12 * 8;
 constexpr std::size_t kWallSize = 4 + kShapeSize + 5 * 8;
 constexpr std::size_t kZoneSize = 4 + 1 + kShapeSize + 6 * 8;
 constexpr std::uint32_t kFirstWithMeshes = 3;
 constexpr std::uint32_t kFirstWithControl = 4;
-constexpr std::uint32_t kNoMesh = 0xffffffffU;
 
 void write(ByteWriter& out, const Wall& wall) {
   const SurfaceProperties& s = wall.surface;
@@ -46,50 +46,6 @@ Zone::Kind readZoneKind(ByteReader& in) {
   return static_cast<Zone::Kind>(kind);
 }
 
-void write(ByteWriter& out, const std::optional<ResolutionChoice>& choice) {
-  out.u8(choice ? static_cast<std::uint8_t>(choice->strategy) : kAsDescribed);
-  out.u8(choice ? static_cast<std::uint8_t>(choice->solution) : kAsDescribed);
-}
-
-std::optional<ResolutionChoice> readResolution(ByteReader& in) {
-  const std::uint8_t strategy = in.u8();
-  const std::uint8_t solution = in.u8();
-  if (strategy == kAsDescribed && solution == kAsDescribed) return {};
-  if (strategy > static_cast<std::uint8_t>(Strategy::cond)) in.fail("unknown strategy of the redundancy");
-  if (solution > static_cast<std::uint8_t>(Solution::partitioned)) in.fail("unknown solution of the redundancy");
-  return ResolutionChoice{static_cast<Strategy>(strategy), static_cast<Solution>(solution)};
-}
-
-void write(ByteWriter& out, const std::optional<ControlChoice>& choice) {
-  out.u8(choice ? static_cast<std::uint8_t>(choice->display) : kAsDescribed);
-  if (!choice) return;
-  out.u8(static_cast<std::uint8_t>(choice->joints));
-  out.u8(static_cast<std::uint8_t>(choice->orientation));
-  out.u8(choice->passivity ? 1 : 0);
-}
-
-/// An enumerator whose last one is `last`.
-template <typename Choice>
-Choice readChoice(ByteReader& in, Choice last, const std::string& what) {
-  const std::uint8_t number = in.u8();
-  if (number > static_cast<std::uint8_t>(last)) in.fail("unknown " + what);
-  return static_cast<Choice>(number);
-}
-
-std::optional<ControlChoice> readControl(ByteReader& in) {
-  const std::uint8_t display = in.u8();
-  if (display == kAsDescribed) return {};
-  if (display > static_cast<std::uint8_t>(DisplayMode::impedance)) in.fail("unknown mode of display");
-  ControlChoice choice;
-  choice.display = static_cast<DisplayMode>(display);
-  choice.joints = readChoice(in, JointController::computedTorque, "joint controller");
-  choice.orientation = readChoice(in, OrientationMode::free, "mode of orientation");
-  const std::uint8_t passivity = in.u8();
-  if (passivity > 1) in.fail("unknown choice of passivity");
-  choice.passivity = passivity == 1;
-  return choice;
-}
-
 std::uint32_t readHead(ByteReader& in, HapticScene& scene) {
   if (in.left() < kMagic.size() || in.text(kMagic.size()) != kMagic) in.fail("this is no compiled scene");
   const std::uint32_t format = in.u32();
@@ -116,38 +72,6 @@ void readMeshes(ByteReader& in, std::vector<std::shared_ptr<const TriangleMesh>>
   const std::size_t fresh = in.count(kMeshSize);
   for (std::size_t i = 0; i < fresh; ++i) meshes.push_back(readMesh(in));
 }
-
-/// Reads shapes, whose meshes stand in the order in which shapes first name them: one scene has one form.
-class ShapeReader {
- public:
-  ShapeReader(ByteReader& in, const std::vector<std::shared_ptr<const TriangleMesh>>& meshes, std::size_t known)
-      : in_(in), meshes_(meshes), named_(known) {}
-
-  Shape read() {
-    Shape shape;
-    const std::uint8_t kind = in_.u8();
-    if (kind > static_cast<std::uint8_t>(Shape::Kind::mesh)) in_.fail("unknown kind of shape");
-    shape.kind = static_cast<Shape::Kind>(kind);
-    in_.matrix(shape.centre);
-    in_.matrix(shape.axes);
-    if (shape.kind == Shape::Kind::mesh) shape.mesh = readMeshNumber();
-    return shape;
-  }
-  bool allNamed() const { return named_ == meshes_.size(); }
-
- private:
-  std::shared_ptr<const TriangleMesh> readMeshNumber() {
-    const std::uint32_t number = in_.u32();
-    if (number == kNoMesh) return nullptr;
-    if (number == named_ && number < meshes_.size()) ++named_;
-    if (number >= named_) in_.fail("a mesh that is not there");
-    return meshes_[number];
-  }
-
-  ByteReader& in_;
-  const std::vector<std::shared_ptr<const TriangleMesh>>& meshes_;
-  std::size_t named_;
-};
 
 template <typename Visit>
 void forEachMesh(const HapticScene& scene, Visit&& visit) {

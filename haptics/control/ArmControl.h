@@ -7,8 +7,8 @@
 #include "haptics/control/ImpedanceDisplay.h"
 #include "haptics/control/InverseKinematics.h"
 #include "haptics/laws/IfThenRenderer.h"
+#include "haptics/measuring/Measured.h"
 #include "haptics/safety/Clamps.h"
-#include "haptics/tick/Measured.h"
 
 namespace haptiv {
 

@@ -2,7 +2,7 @@
 
 #include "device/DeviceDescription.h"
 #include "device/dynamics/ArmDynamics.h"
-#include "haptics/tick/Measured.h"
+#include "haptics/measuring/Measured.h"
 
 namespace haptiv {
 

@@ -1,7 +1,7 @@
 #include "haptics/control/ImpedanceDisplay.h"
 
 #include "device/redundancy/DriftCorrection.h"
-#include "device/redundancy/PseudoInverse.h"
+#include "device/redundancy/matrices/PseudoInverse.h"
 
 namespace haptiv {
 

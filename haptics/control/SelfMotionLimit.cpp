@@ -1,6 +1,6 @@
 #include "haptics/control/SelfMotionLimit.h"
 
-#include "device/redundancy/PseudoInverse.h"
+#include "device/redundancy/matrices/PseudoInverse.h"
 
 namespace haptiv {
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "haptics/passivity/PassivityController.h"
-
 namespace haptiv {
 namespace {
 
@@ -33,9 +31,9 @@ double Passivity::lightestMass(const Measured& measured) const noexcept {
   return 1 / std::max(mobility, 1e-6);
 }
 
-Vector3 Passivity::operator()(const ControlChoice& choice, const HapticScene& scene, const Measured& measured,
-                              const AdmittanceState& ball, const ContactSet& contacts, PassivityState& state,
-                              TickRecord& record) const noexcept {
+AddedDamping Passivity::operator()(const ControlChoice& choice, const HapticScene& scene, const Measured& measured,
+                                   const AdmittanceState& ball, const FeltScene& felt,
+                                   PassivityState& state) const noexcept {
   PassivityObserver& observer = state.observer;
   const HandMeetsTool now{measured.handForce, measured.p_WT, ball.position, ball.velocity};
   const bool isImpedance = choice.display == DisplayMode::impedance;
@@ -45,21 +43,15 @@ Vector3 Passivity::operator()(const ControlChoice& choice, const HapticScene& sc
     observer.seeMass(now, scene.tool.mass, period_);
   }
   const double speed = isImpedance ? measured.v_WT.norm() : ball.velocity.norm();
-  if (record.zones == 0) observer.forgetSurplus(storedInWalls(scene, contacts, period_ * speed));
+  if (felt.zones == 0) observer.forgetSurplus(storedInWalls(scene, felt.contacts, period_ * speed));
   // What was given before it was switched on is not asked back.
   if (choice.passivity && !state.controlled) observer.energy = std::max(observer.energy, 0.0);
   state.controlled = choice.passivity;
 
-  AddedDamping added;
-  if (choice.passivity && isImpedance) {
-    added = dampTool(-observer.energy, measured.v_WT, lightestMass(measured), period_, largestForce_);
-  } else if (choice.passivity) {
-    const Vector3 velocity = nextVelocity(ball, measured.handForce + record.environmentForce, scene.tool.mass, period_);
-    added = dampMass(-observer.energy, velocity, scene.tool.mass, period_, largestForce_);
-  }
-  record.passivityEnergy = observer.energy;
-  record.passivityDamping = added.damping;
-  return added.force;
+  if (!choice.passivity) return {};
+  if (isImpedance) return dampTool(-observer.energy, measured.v_WT, lightestMass(measured), period_, largestForce_);
+  const Vector3 velocity = nextVelocity(ball, measured.handForce + felt.force, scene.tool.mass, period_);
+  return dampMass(-observer.energy, velocity, scene.tool.mass, period_, largestForce_);
 }
 
 }  // namespace haptiv

@@ -2,9 +2,9 @@
 
 #include "haptics/contact/ContactSet.h"
 #include "haptics/control/Admittance.h"
+#include "haptics/measuring/Measured.h"
+#include "haptics/passivity/PassivityController.h"
 #include "haptics/passivity/PassivityObserver.h"
-#include "haptics/tick/Measured.h"
-#include "haptics/tick/TickRecord.h"
 
 namespace haptiv {
 
@@ -14,6 +14,13 @@ struct PassivityState {
   bool controlled = false;  ///< in the tick before
 };
 
+/// What the scene does to the ball.
+struct FeltScene {
+  const ContactSet& contacts;
+  int zones = 0;  ///< that the ball is in
+  Vector3 force;  ///< on the ball, in W [N]
+};
+
 /// Observer and controller between feeling the scene and moving: docs/passivity.md.
 class Passivity {
  public:
@@ -21,14 +28,11 @@ class Passivity {
 
   /// Observes, and, where the choice says so, adds the damping that keeps the energy from falling below zero.
   ///
-  /// @param ball      the virtual mass
-  /// @param contacts  what it touches
-  /// @param record  in: the scene's force, what it touches, and the hand's force; out: energy and added damping
-  /// @return        force to be added to the scene's, in W [N]; zero where nothing is missing
+  /// @param ball  the virtual mass
+  /// @return      its force is to be added to the scene's; zero where nothing is missing
   /// Realtime-safe: yes.  Thread: servo.
-  Vector3 operator()(const ControlChoice& choice, const HapticScene& scene, const Measured& measured,
-                     const AdmittanceState& ball, const ContactSet& contacts, PassivityState& state,
-                     TickRecord& record) const noexcept;
+  AddedDamping operator()(const ControlChoice& choice, const HapticScene& scene, const Measured& measured,
+                          const AdmittanceState& ball, const FeltScene& felt, PassivityState& state) const noexcept;
 
  private:
   double lightestMass(const Measured& measured) const noexcept;

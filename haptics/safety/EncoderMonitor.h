@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "haptics/tick/Measured.h"
+#include "haptics/measuring/Measured.h"
 
 namespace haptiv {
 

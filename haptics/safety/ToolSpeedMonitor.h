@@ -1,8 +1,8 @@
 #pragma once
 
 #include "device/DeviceDescription.h"
+#include "haptics/measuring/Measured.h"
 #include "haptics/safety/Faults.h"
-#include "haptics/tick/Measured.h"
 
 namespace haptiv {
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "haptics/scene/HapticScene.h"
 #include "haptics/shapes/ShapeDistance.h"
 #include "haptics/shapes/StraightBoxSurface.h"
 

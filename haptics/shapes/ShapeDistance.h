@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptics/scene/HapticScene.h"
+#include "haptics/shapes/Shape.h"
 
 namespace haptiv {
 

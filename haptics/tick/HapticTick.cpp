@@ -88,9 +88,11 @@ void HapticTick::settle(const Measured& measured, TickState& state) const noexce
 void HapticTick::run(const ControlChoice& choice, const HapticScene& scene, const Measured& measured, TickState& state,
                      TickRecord& record) const noexcept {
   feel(scene, control_.felt(choice, scene, measured, state.control), state, record);
-  const Vector3 damped =
-      passivity_(choice, scene, measured, state.control.admittance, state.contacts, state.passivity, record);
-  const Vector3 shown = clamps_.force(record.environmentForce + damped, record.clamps);
+  const FeltScene felt{state.contacts, record.zones, record.environmentForce};
+  const AddedDamping added = passivity_(choice, scene, measured, state.control.admittance, felt, state.passivity);
+  record.passivityEnergy = state.passivity.observer.energy;
+  record.passivityDamping = added.damping;
+  const Vector3 shown = clamps_.force(record.environmentForce + added.force, record.clamps);
   state.passivity.observer.hold(shown);
   record.command = control_(choice, scene, measured, shown, state.contacts, state.control, record.clamps);
   state.clamps = record.clamps;

@@ -6,13 +6,13 @@
 #include "device/Nonblocking.h"
 #include "haptics/control/ArmControl.h"
 #include "haptics/laws/IfThenRenderer.h"
+#include "haptics/measuring/Measured.h"
 #include "haptics/passivity/Passivity.h"
 #include "haptics/safety/Clamps.h"
 #include "haptics/safety/Monitors.h"
 #include "haptics/safety/SessionStates.h"
 #include "haptics/scene/HapticScene.h"
 #include "haptics/scene/SceneFade.h"
-#include "haptics/tick/Measured.h"
 #include "haptics/tick/TickRecord.h"
 
 namespace haptiv {

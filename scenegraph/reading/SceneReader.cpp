@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "scenegraph/Keyword.h"
+#include "scenegraph/isolation/Isolated.h"
 #include "scenegraph/reading/coin/CoinMessages.h"
 #include "scenegraph/reading/coin/ExternalPrototypes.h"
-#include "scenegraph/reading/coin/Isolated.h"
 #include "scenegraph/reading/coin/Rehearsal.h"
 #include "scenegraph/reading/files/NamedFiles.h"
 #include "scenegraph/reading/files/SceneBytes.h"

@@ -9,7 +9,7 @@
 
 #include "scenegraph/SceneCompiler.h"
 #include "scenegraph/SceneFile.h"
-#include "scenegraph/reading/coin/Isolated.h"
+#include "scenegraph/isolation/Isolated.h"
 #include "scenegraph/writing/WithoutPrototypes.h"
 
 namespace haptiv {

@@ -12,67 +12,90 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Include {
+struct Found {
   std::string file;  // from the project's root
   int line = 0;
-  std::string target;
+  std::string text;  // what the pattern's brackets hold
 };
 
-std::vector<Include> includesBelow(const std::string& folder) {
+/// Where the sources below a folder have the pattern.
+std::vector<Found> find(const std::string& folder, const std::string& pattern) {
   const fs::path root = HAPTIV_SOURCE_DIR;
-  const std::regex pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
-  std::vector<Include> includes;
+  const std::regex wanted(pattern);
+  std::vector<Found> all;
   for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
     if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
     std::ifstream stream(entry.path());
     std::string text;
     std::smatch match;
     for (int line = 1; std::getline(stream, text); ++line) {
-      if (std::regex_search(text, match, pattern))
-        includes.push_back({fs::relative(entry.path(), root).string(), line, match[1]});
+      if (std::regex_search(text, match, wanted))
+        all.push_back({fs::relative(entry.path(), root).string(), line, match[1]});
     }
   }
-  return includes;
+  return all;
 }
 
 // Nothing below `folder`, files that match `except` aside, may include what matches `forbidden`.
 void expectNoInclude(const std::string& folder, const std::string& forbidden, const std::string& except = "$^") {
   const std::regex wrong(forbidden), allowed(except);
-  const std::vector<Include> includes = includesBelow(folder);
+  const std::vector<Found> includes = find(folder, R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
   EXPECT_FALSE(includes.empty()) << folder << " holds no sources: has it moved?";
-  for (const Include& include : includes) {
+  for (const Found& include : includes) {
     if (std::regex_search(include.file, allowed)) continue;
-    EXPECT_FALSE(std::regex_search(include.target, wrong))
-        << include.file << ":" << include.line << " includes " << include.target;
+    EXPECT_FALSE(std::regex_search(include.text, wrong))
+        << include.file << ":" << include.line << " includes " << include.text;
   }
 }
 
 constexpr const char* kCoin = "^Inventor/|^SoQt";
 constexpr const char* kQt = "^Q[A-Z]|^Qt|^Inventor/Qt|^qwt";
 constexpr const char* kHdf5 = "^(hdf5|H5)";
+constexpr const char* kLocks = "^(mutex|shared_mutex|condition_variable|semaphore|future|semaphore.h)$";
 constexpr const char* kLibusb = "^libusb";
+
+constexpr const char* kWithoutWindow[] = {"device",          "haptics",   "app/session",  "app/calibration",
+                                          "app/devicecheck", "app/board", "app/generate", "app/experiments"};
 
 }  // namespace
 
 TEST(Layers, DeviceKnowsNoneOfTheOthers) {
   expectNoInclude("device", "^(haptics|scenegraph|app)/");
 }
+TEST(Layers, ADeviceIsDescribedAndDrivenWithoutItsSimulation) {
+  expectNoInclude("device", "^device/simulated/", "^device/(simulated|usb/virtual)/");
+}
 TEST(Layers, HapticsKnowsOnlyTheDevice) {
   expectNoInclude("haptics", "^(scenegraph|app)/");
+}
+TEST(Layers, ShapesAndMeshesKnowNoScene) {
+  for (const char* folder : {"haptics/shapes", "haptics/meshes", "haptics/index"})
+    expectNoInclude(folder, "^haptics/(?!shapes|meshes|index)");
+}
+TEST(Layers, WhatATickIsMadeOfDoesNotKnowTheTick) {
+  expectNoInclude("haptics", "^haptics/(tick|servo)/", "^haptics/(tick|servo)/");
+  expectNoInclude("haptics/tick", "^haptics/servo/");
 }
 TEST(Layers, ScenegraphKnowsNothingOfTheApplication) {
   expectNoInclude("scenegraph", "^app/");
 }
 
 TEST(Layers, CoinStaysInScenegraphAndApp) {
-  expectNoInclude("device", kCoin);
-  expectNoInclude("haptics", kCoin);
-  expectNoInclude("app/session", kCoin);
-  expectNoInclude("app/devicecheck", kCoin);
+  for (const char* folder : kWithoutWindow) expectNoInclude(folder, kCoin);
 }
 
 TEST(Layers, QtStaysInApp) {
-  for (const char* folder : {"device", "haptics", "scenegraph", "app/session", "app/devicecheck"}) expectNoInclude(folder, kQt);
+  for (const char* folder : kWithoutWindow) expectNoInclude(folder, kQt);
+  expectNoInclude("scenegraph", kQt);
+}
+
+TEST(Layers, NobodyWaitsForALockWhereTheServoComes) {
+  expectNoInclude("haptics", kLocks);
+  expectNoInclude("device", kLocks, "^device/usb/libusb/");
+}
+
+TEST(Layers, UsbIpIsSpokenWithoutSockets) {
+  expectNoInclude("app/board/usbip", "^(sys/|netinet/|arpa/|poll.h|unistd.h)");
 }
 
 TEST(Layers, Hdf5StaysInTheSessionLog) {
@@ -85,6 +108,10 @@ TEST(Layers, LibusbStaysInTheUsbTransport) {
   for (const char* folder : {"haptics", "scenegraph", "app"}) expectNoInclude(folder, kLibusb);
 }
 
+TEST(Layers, TheBoardsSideOfTheWireKnowsNothingOfTheHosts) {
+  for (const char* folder : {"device/board", "device/usb/peripheral", "device/usb/protocol", "device/usb/virtual"})
+    expectNoInclude(folder, "^device/usb/(host|libusb|falcon|spacemouse|UsbDevice)|^libusb");
+}
 TEST(Layers, TheSessionLibraryNeedsNoSceneGraph) {
   expectNoInclude("app/session", "^scenegraph/");
 }
@@ -97,7 +124,22 @@ TEST(Layers, TheEditorKnowsNothingOfSessionsAndReplay) {
 TEST(Layers, FiguresKnowNothingOfWhatTheyShow) {
   expectNoInclude("app/figures", "^(device|haptics|scenegraph)/|^app/(?!figures/)");
 }
-TEST(Layers, TheExperimentsNeedNoQt) {
-  expectNoInclude("app/experiments", kQt);
+TEST(Layers, TheExperimentsNeedFiguresAlone) {
   expectNoInclude("app/experiments", "^app/(?!experiments/|figures/Figure.h)");
+}
+
+// But for HDF5's one lock, and for constants that Coin wants to have the address of.
+TEST(Absences, NothingIsRememberedOutsideOfValues) {
+  const std::regex allowed("^(app/session/log/Hdf5|scenegraph/reading/coin/NurbsContext)\\.cpp$");
+  for (const char* folder : {"device", "haptics", "scenegraph", "app"}) {
+    for (const Found& found : find(folder, R"(^\s*(?:static|thread_local)\s+(?!const\b|constexpr\b)([^()]*)[;={])"))
+      EXPECT_TRUE(std::regex_match(found.file, allowed)) << found.file << ":" << found.line << ": " << found.text;
+  }
+}
+
+TEST(Absences, CoinOpensNoFile) {
+  for (const char* folder : {"scenegraph", "app"}) {
+    for (const Found& found : find(folder, R"(((?:\.|->)(?:openFile|pushFile)\(|\baddDirectory(?:First|Last)\())"))
+      ADD_FAILURE() << found.file << ":" << found.line << " has Coin open a file: " << found.text;
+  }
 }

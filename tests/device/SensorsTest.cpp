@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "device/simulated/Encoder.h"
+#include "device/Encoder.h"
 #include "device/simulated/ForceTorqueSensor.h"
 #include "device/simulated/Noise.h"
 #include "tests/support/Random.h"

@@ -6,10 +6,17 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
 namespace haptiv::testing {
 
 namespace fs = std::filesystem;
+
+std::string contentsOf(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
 
 void put(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;

@@ -19,6 +19,7 @@ inline std::filesystem::path sourceDir() {
 inline const std::string kHeader = "#Inventor V2.1 ascii\n";
 
 void put(const std::filesystem::path& file, const std::string& text);
+std::string contentsOf(const std::filesystem::path& file);
 
 /// As Coin cuts the scene.
 int trianglesOf(const SceneFile& scene);

@@ -1,4 +1,4 @@
-#include "app/session/HandFile.h"
+#include "app/session/hands/HandFile.h"
 
 #include <gmock/gmock.h>
 

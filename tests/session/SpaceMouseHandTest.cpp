@@ -1,4 +1,4 @@
-#include "app/session/SpaceMouseHand.h"
+#include "app/session/hands/SpaceMouseHand.h"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "device/usb/protocol/BoardProfile.h"
+
 namespace haptiv::usbip {
 namespace {
 

@@ -20,6 +20,22 @@ Handle scalarSpace(const std::filesystem::path& path) {
   return {checked(H5Screate(H5S_SCALAR), path, "set up HDF5", ""), H5Sclose};
 }
 
+std::string reading(const char* attribute, const std::string& object) {
+  return std::string("read the attribute ") + attribute + " of " + object;
+}
+
+/// An attribute as it stands in the file; throws where there is none.
+struct StoredAttribute {
+  StoredAttribute(const Handle& file, const std::filesystem::path& path, const std::string& object, const char* name)
+      : attribute(checked(H5Aopen_by_name(file.id(), object.c_str(), name, H5P_DEFAULT, H5P_DEFAULT), path,
+                          reading(name, object), kDamaged),
+                  H5Aclose),
+        type(checked(H5Aget_type(attribute.id()), path, reading(name, object), kDamaged), H5Tclose),
+        space(checked(H5Aget_space(attribute.id()), path, reading(name, object), kDamaged), H5Sclose) {}
+
+  Handle attribute, type, space;
+};
+
 }  // namespace
 
 void Attributes::writeTexts(const char* attribute, std::span<const std::string> texts, hid_t space) const {
@@ -64,20 +80,16 @@ void Attributes::write(const char* attribute, double number) const {
 }
 
 std::vector<std::string> Attributes::readTexts(const char* attribute, std::size_t most) const {
-  const std::string what = std::string("read the attribute ") + attribute + " of " + name_;
-  const Handle opened(
-      checked(H5Aopen_by_name(file_.id(), name_.c_str(), attribute, H5P_DEFAULT, H5P_DEFAULT), path_, what, kDamaged),
-      H5Aclose);
-  const Handle stored(checked(H5Aget_type(opened.id()), path_, what, kDamaged), H5Tclose);
-  const Handle space(checked(H5Aget_space(opened.id()), path_, what, kDamaged), H5Sclose);
-  const hssize_t count = H5Sget_simple_extent_npoints(space.id());
-  const std::size_t length = H5Tget_size(stored.id());
-  if (H5Tget_class(stored.id()) != H5T_STRING || H5Tis_variable_str(stored.id()) != 0 || length == 0 ||
+  const std::string what = reading(attribute, name_);
+  const StoredAttribute stored(file_, path_, name_, attribute);
+  const hssize_t count = H5Sget_simple_extent_npoints(stored.space.id());
+  const std::size_t length = H5Tget_size(stored.type.id());
+  if (H5Tget_class(stored.type.id()) != H5T_STRING || H5Tis_variable_str(stored.type.id()) != 0 || length == 0 ||
       length > kLongestAttribute || count < 0 || static_cast<std::size_t>(count) > most)
     fail(path_, "cannot " + what + ": it is no text of fixed length", kDamaged);
   std::string block(length * static_cast<std::size_t>(count), '\0');
   const Handle type = textType(path_, length);
-  checked(H5Aread(opened.id(), type.id(), block.data()), path_, what, kDamaged);
+  checked(H5Aread(stored.attribute.id(), type.id(), block.data()), path_, what, kDamaged);
   std::vector<std::string> texts;
   for (std::size_t at = 0; at < block.size(); at += length) {
     const std::string padded = block.substr(at, length);
@@ -96,15 +108,11 @@ std::vector<std::string> Attributes::texts(const char* attribute) const {
 }
 
 void Attributes::readNumber(const char* attribute, hid_t type, void* value) const {
-  const std::string what = std::string("read the attribute ") + attribute + " of " + name_;
-  const Handle opened(
-      checked(H5Aopen_by_name(file_.id(), name_.c_str(), attribute, H5P_DEFAULT, H5P_DEFAULT), path_, what, kDamaged),
-      H5Aclose);
-  const Handle stored(checked(H5Aget_type(opened.id()), path_, what, kDamaged), H5Tclose);
-  const Handle space(checked(H5Aget_space(opened.id()), path_, what, kDamaged), H5Sclose);
-  if (H5Tget_class(stored.id()) != H5Tget_class(type) || H5Sget_simple_extent_npoints(space.id()) != 1)
+  const std::string what = reading(attribute, name_);
+  const StoredAttribute stored(file_, path_, name_, attribute);
+  if (H5Tget_class(stored.type.id()) != H5Tget_class(type) || H5Sget_simple_extent_npoints(stored.space.id()) != 1)
     fail(path_, "cannot " + what + ": it is no such number", kDamaged);
-  checked(H5Aread(opened.id(), type, value), path_, what, kDamaged);
+  checked(H5Aread(stored.attribute.id(), type, value), path_, what, kDamaged);
 }
 
 std::uint64_t Attributes::integer(const char* attribute) const {

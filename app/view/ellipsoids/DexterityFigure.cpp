@@ -1,6 +1,6 @@
 #include "app/view/ellipsoids/DexterityFigure.h"
 
-#include "device/redundancy/Criterion.h"
+#include "device/redundancy/criterion/Criterion.h"
 
 namespace haptiv {
 

@@ -3,7 +3,7 @@
 #include <QMenu>
 #include <optional>
 
-#include "app/session/SpaceMouseChoice.h"
+#include "app/session/hands/SpaceMouseChoice.h"
 
 class QActionGroup;
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "device/Encoder.h"
 #include "device/board/BoardSignals.h"
 #include "device/dynamics/ArmDynamics.h"
-#include "device/simulated/Encoder.h"
 #include "device/simulated/ForceTorqueSensor.h"
 #include "device/simulated/Hand.h"
 #include "device/simulated/HumanHand.h"

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "device/usb/libusb/UsbHandle.h"
+#include "device/usb/protocol/BoardProfile.h"
 #include "device/usb/protocol/ControlFrames.h"
-#include "device/usb/protocol/Descriptors.h"
 #include "device/usb/protocol/StreamFrames.h"
 
 namespace haptiv::usb {

@@ -5,23 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "device/usb/protocol/StreamFrames.h"
-
 namespace haptiv::usb {
-
-inline constexpr std::uint16_t kVendorId = 0x1209;  ///< with kProductId pid.codes' number for tests
-inline constexpr std::uint16_t kProductId = 0x0001;
-inline constexpr std::uint8_t kBoardInterface = 0;
-inline constexpr std::uint8_t kBoardClass = 0xff, kBoardSubclass = 0x48, kBoardProtocol = 0x01;
-inline constexpr std::uint8_t kStateEndpoint = 0x81;    ///< interrupt IN
-inline constexpr std::uint8_t kCommandEndpoint = 0x01;  ///< interrupt OUT
-inline constexpr std::uint16_t kCommandPacket = 64;     ///< its wMaxPacketSize
-inline constexpr std::size_t kLongestSerial = 126;      ///< characters of a string descriptor
-
-/// wMaxPacketSize of the IN endpoint, by which the host tells high speed (full frames) from full speed (packed ones).
-constexpr std::uint16_t statePacket(FrameForm form) {
-  return form == FrameForm::full ? 128 : 64;
-}
 
 enum class DescriptorType : std::uint8_t {
   device = 1,
@@ -33,21 +17,44 @@ enum class DescriptorType : std::uint8_t {
   otherSpeedConfiguration = 7,
 };
 
-/// What the board says of itself on the bus: the tables of docs/usb-protocol.md as bytes. Thread: any.
+enum class UsbSpeed { full, high };
+enum class TransferType : std::uint8_t { bulk = 2, interrupt = 3 };
+
+struct UsbEndpoint {
+  std::uint8_t address = 0;  ///< with the direction in bit 7
+  TransferType transfer = TransferType::interrupt;
+  std::uint16_t maxPacket = 64;
+  std::uint8_t interval = 1;  ///< bInterval
+};
+
+inline constexpr std::size_t kLongestString = 126;  ///< characters that a string descriptor has room for
+
+/// What a USB 2.0 device says it is, any device that has one configuration, number 1, with one interface, number 0,
+/// without alternate settings. Texts are ASCII, of kLongestString characters at most; empty: it has none.
+struct UsbProfile {
+  std::uint16_t vendor = 0, product = 0;
+  std::uint16_t release = 0x0100;  ///< bcdDevice
+  std::string manufacturer, productName, serial;
+  UsbSpeed speed = UsbSpeed::high;
+  bool selfPowered = false;
+  std::uint8_t interfaceClass = 0xff, subclass = 0, protocol = 0;
+  std::vector<UsbEndpoint> endpoints;
+  std::vector<UsbEndpoint> otherSpeed;  ///< the same at its other speed; none: it knows one speed only
+};
+
+/// A profile as bytes. Thread: any.
 class Descriptors {
  public:
-  /// @param form      full: the board is in high speed; packed: it knows full speed only
-  /// @param firmware  major in the upper byte, minor in the lower; becomes bcdDevice
-  /// @param serial    1 to kLongestSerial printable ASCII characters
-  /// Throws std::runtime_error where the serial is none.
-  Descriptors(FrameForm form, std::uint16_t firmware, const std::string& serial);
+  explicit Descriptors(UsbProfile profile);
 
   /// The answer to GET_DESCRIPTOR: the type stands in the upper byte of wValue, the index in the lower. None: stall.
   std::span<const std::uint8_t> find(std::uint16_t wValue) const;
   /// Device and configuration one after the other, as sysfs has them in `descriptors`.
   std::vector<std::uint8_t> deviceAndConfiguration() const;
+  const UsbProfile& profile() const noexcept { return profile_; }
 
  private:
+  UsbProfile profile_;
   std::vector<std::uint8_t> device_, configuration_, qualifier_, otherSpeed_;
   std::vector<std::vector<std::uint8_t>> strings_;
 };

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "device/usb/protocol/BoardProfile.h"
+
 namespace haptiv::usb {
 namespace {
 
@@ -26,25 +28,33 @@ VirtualBoard::VirtualBoard(const VirtualBoardSetup& setup, std::unique_ptr<HandS
 
 VirtualBoard::VirtualBoard(const VirtualBoardSetup& setup, const DeviceDescription& built,
                            std::unique_ptr<HandSource> hand)
-    : arm_(built, built.homeAngles, setup.seed),
-      hand_(std::move(hand)),
-      board_(boardSettings(built)),
-      form_(setup.form),
-      port_(board_, setup.form,
-            {kFirmware, static_cast<std::uint8_t>(setup.description.jointCount()), shortName(setup.description)}),
-      control_(port_, Descriptors(setup.form, kFirmware, setup.serial)) {
-  board_.advance(now_, arm_.measure());
-  if (setup.homed) board_.home(arm_.encoderCounts());
+    : setup_(setup),
+      settings_(boardSettings(built)),
+      arm_(built, built.homeAngles, setup.seed),
+      hand_(std::move(hand)) {
+  restart();
+  if (setup.homed) circuit_->board.home(arm_.encoderCounts());
+}
+
+VirtualBoard::Circuit::Circuit(const BoardSettings& settings, const VirtualBoardSetup& setup)
+    : board(settings),
+      port(board, setup.form,
+           {kFirmware, static_cast<std::uint8_t>(setup.description.jointCount()), shortName(setup.description)}),
+      control(port, Descriptors(boardProfile(setup.form, kFirmware, setup.serial))) {}
+
+void VirtualBoard::restart() {
+  circuit_.emplace(settings_, setup_);
+  circuit_->board.advance(now_, arm_.measure());  // it knows its wires before the bus speaks to it
 }
 
 void VirtualBoard::advance() noexcept {
   HandTarget target = hand_ ? hand_->at(1e-6 * static_cast<double>(now_)) : HandTarget{};
   if (!hand_) target.inputs = 0;
-  arm_.advance(board_.demand(), target, 1e-6 * kStep);
+  arm_.advance(board().demand(), target, 1e-6 * kStep);
   now_ += kStep;
   BoardInputs inputs = arm_.measure();
   inputs.buttons = target.inputs | pressed_;
-  board_.advance(now_, inputs);
+  circuit_->board.advance(now_, inputs);
 }
 
 }  // namespace haptiv::usb

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "device/simulated/Hand.h"
 #include "device/simulated/plant/SimulatedArm.h"
-#include "device/usb/ControlPipe.h"
+#include "device/usb/peripheral/ControlPipe.h"
 
 namespace haptiv::usb {
 
@@ -34,22 +35,34 @@ class VirtualBoard {
   void advance() noexcept;
   /// What the operator presses besides what the hand does: OperatorInput bits.
   void press(std::uint16_t inputs) noexcept { pressed_ = inputs; }
+  /// Its supply has been away: the arm stays where it is, and the board has no zero, no host and its own thresholds.
+  void restart();
 
-  BoardPort& port() noexcept { return port_; }
-  ControlPipe& control() noexcept { return control_; }
-  FrameForm form() const noexcept { return form_; }
-  BoardReport report() const noexcept { return board_.report(); }
+  // What these give holds until it is restarted.
+  BoardPort& port() noexcept { return circuit_->port; }
+  ControlPipe& control() noexcept { return circuit_->control; }
+  const ControlPipe& control() const noexcept { return circuit_->control; }
+  const Board& board() const noexcept { return circuit_->board; }
+
+  FrameForm form() const noexcept { return setup_.form; }
+  BoardReport report() const noexcept { return board().report(); }
   const JointVector& angles() const noexcept { return arm_.angles(); }  ///< as they are [rad]
 
  private:
+  /// What forgets when the supply is away.
+  struct Circuit {
+    Circuit(const BoardSettings& settings, const VirtualBoardSetup& setup);
+    Board board;
+    BoardPort port;
+    ControlPipe control;
+  };
   VirtualBoard(const VirtualBoardSetup& setup, const DeviceDescription& built, std::unique_ptr<HandSource> hand);
 
+  VirtualBoardSetup setup_;
+  BoardSettings settings_;
   SimulatedArm arm_;
   std::unique_ptr<HandSource> hand_;
-  Board board_;
-  FrameForm form_;
-  BoardPort port_;
-  ControlPipe control_;
+  std::optional<Circuit> circuit_;
   std::uint16_t pressed_ = 0;
   std::int64_t now_ = 0;  // [us]
 };

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "scenegraph/reading/coin/Isolated.h"
+#include "scenegraph/isolation/Isolated.h"
 
 namespace haptiv {
 

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "scenegraph/reading/coin/Isolated.h"
+#include "scenegraph/isolation/Isolated.h"
 #include "scenegraph/reading/files/SceneBytes.h"
 
 namespace haptiv {

@@ -194,7 +194,7 @@ TEST_F(Run, APictureThatCannotBeWrittenIsAFailureBeforeOrAfterTheSession) {
   for (const std::string& path : {folder / "no/such/folder/end.png", folder / "", folder.fullDevice()}) {
     const Ended ended = run({"--fast", "--picture", path});
     EXPECT_EQ(ended.code, 3) << path;
-    EXPECT_THAT(ended.err, HasSubstr("picture")) << path;
+    EXPECT_THAT(ended.err, HasSubstr("cannot be written")) << path;
   }
 }
 

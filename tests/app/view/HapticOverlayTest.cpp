@@ -1,4 +1,4 @@
-#include "app/view/HapticOverlay.h"
+#include "app/view/drawn/HapticOverlay.h"
 
 #include <Inventor/SbViewportRegion.h>
 #include <Inventor/SoPrimitiveVertex.h>
@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/view/ForceArrow.h"
+#include "app/view/drawn/ForceArrow.h"
 #include "device/kinematics/Vishard10.h"
 
 namespace haptiv {

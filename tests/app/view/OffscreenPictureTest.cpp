@@ -1,4 +1,4 @@
-#include "app/view/OffscreenPicture.h"
+#include "app/view/picture/OffscreenPicture.h"
 
 #include <gtest/gtest.h>
 

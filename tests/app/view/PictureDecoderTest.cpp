@@ -1,4 +1,4 @@
-#include "app/view/PictureDecoder.h"
+#include "app/view/picture/PictureDecoder.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <QImage>
 #include <QTemporaryDir>
 
-#include "app/view/OffscreenPicture.h"
+#include "app/view/picture/OffscreenPicture.h"
 #include "scenegraph/SceneFile.h"
 
 namespace haptiv {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "device/redundancy/BlockEigen.h"
-#include "device/redundancy/Criterion.h"
+#include "device/redundancy/criterion/Criterion.h"
+#include "device/redundancy/matrices/BlockEigen.h"
 
 #include "tests/device/redundancy/CircleRun.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "device/redundancy/Criterion.h"
+#include "device/redundancy/criterion/Criterion.h"
 #include "tests/device/kinematics/Chains.h"
 #include "tests/device/redundancy/CircleRun.h"
 

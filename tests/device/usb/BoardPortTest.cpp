@@ -1,7 +1,7 @@
 /// The firmware's side of the wire, and the control requests.
 #include <gtest/gtest.h>
 
-#include "device/usb/BoardPort.h"
+#include "device/usb/peripheral/BoardPort.h"
 #include "tests/device/board/BoardBench.h"
 #include "tests/device/usb/FrameSamples.h"
 

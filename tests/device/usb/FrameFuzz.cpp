@@ -9,7 +9,7 @@
 #include <iostream>
 #include <random>
 
-#include "device/usb/BoardPort.h"
+#include "device/usb/peripheral/BoardPort.h"
 #include "tests/device/usb/FrameSamples.h"
 
 namespace haptiv::usb {

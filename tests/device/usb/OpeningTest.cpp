@@ -53,7 +53,7 @@ TEST_F(Opening, WaitsASecondForABoardThatDoesNotAnswer) {
 }
 
 TEST_F(Opening, ChoosesAmongSeveralBySerialNumber) {
-  auto second = std::make_shared<VirtualBoard>(description, "B-0002");
+  auto second = std::make_shared<BoardOnUsb>(description, "B-0002");
   bus.plug(second);
   EXPECT_THAT(refusalOf(device), AllOf(HasSubstr("B-0001"), HasSubstr("B-0002"), HasSubstr("choose one")));
   UsbDevice none(description, {"B-0003", board->countsHere(), false});
@@ -66,7 +66,7 @@ TEST_F(Opening, ChoosesAmongSeveralBySerialNumber) {
 }
 
 TEST_F(Opening, TwoBoardsAreDrivenSideBySide) {
-  auto second = std::make_shared<VirtualBoard>(description, "B-0002");
+  auto second = std::make_shared<BoardOnUsb>(description, "B-0002");
   bus.plug(second);
   UsbDevice other(description, {"B-0002", second->countsHere(), false});
   UsbDevice first(description, {"B-0001", board->countsHere(), false});
@@ -82,7 +82,7 @@ TEST_F(Opening, TheSameBoardIsFoundAgainInAnyPortAndNoOther) {
   board->ownSupply = true;
   chosen.start(1e-3);
   bus.unplug(*port);
-  bus.plug(std::make_shared<VirtualBoard>(description, "B-0002"));
+  bus.plug(std::make_shared<BoardOnUsb>(description, "B-0002"));
   EXPECT_THAT(chosen.trouble(), HasSubstr("B-0001"));
   bus.plug(board);
   EXPECT_EQ(chosen.trouble(), "");
@@ -102,7 +102,7 @@ TEST_F(Opening, SetsTheThresholdsOfTheDescriptionWhereTheyAreTighter) {
 
 TEST_F(Opening, AtFullSpeedNoMoreThanAThousandTicksASecond) {
   bus.unplug(*port);
-  board = std::make_shared<VirtualBoard>(description, "B-0001", UsbSpeed::full);
+  board = std::make_shared<BoardOnUsb>(description, "B-0001", UsbSpeed::full);
   port = &bus.plug(board);
   EXPECT_THROW(device.start(0.25e-3), usb::UsbFailure);
   EXPECT_EQ(refusalOf(device), "");

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "device/usb/spacemouse/SpaceMouse.h"
-#include "tests/device/usb/bench/VirtualBoard.h"
+#include "tests/device/usb/bench/BoardOnUsb.h"
 #include "tests/device/usb/falcon/BenchedFalcon.h"
 #include "tests/device/usb/spacemouse/VirtualSpaceMouse.h"
 #include "tests/support/usb/VirtualBus.h"
@@ -26,7 +26,7 @@ class Plugged : public testing::Test {
   ~Plugged() override { std::filesystem::remove(firmware_); }
 
   VirtualPort& plugBoard(const std::string& serial) {
-    board_ = std::make_shared<VirtualBoard>(arm_, serial);
+    board_ = std::make_shared<BoardOnUsb>(arm_, serial);
     return bus_.plug(board_);
   }
   VirtualPort& plugFalcon() { return bus_.plug(std::make_shared<falcon::test::FalconOnUsb>(falconArm_)); }
@@ -45,7 +45,7 @@ class Plugged : public testing::Test {
   std::filesystem::path firmware_ =
       std::filesystem::temp_directory_path() / ("haptiv-plugged-" + std::to_string(::getpid()) + ".bin");
   VirtualBus bus_;
-  std::shared_ptr<VirtualBoard> board_;
+  std::shared_ptr<BoardOnUsb> board_;
 };
 
 TEST_F(Plugged, NothingIsAnEmptyList) {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "device/redundancy/PseudoInverse.h"
+#include "device/redundancy/matrices/PseudoInverse.h"
 #include "haptics/control/ComputedTorque.h"
 #include "haptics/control/ImpedanceDisplay.h"
 #include "haptics/control/RotationalAdmittance.h"

@@ -51,6 +51,19 @@ TEST_F(HapticTickTest, CanBeRepeatedFromTheReadingsAlone) {
   }
 }
 
+TEST_F(HapticTickTest, IsNotDisturbedByAnotherArmBesideIt) {
+  const std::vector<TickRecord> left = run(scene, {20, 3, -2}, 500), right = run(scene, {-4, 8, 1}, 500);
+  const HapticTick another(description, 1 / kRate);
+  TickState ofLeft, ofRight;
+  for (std::size_t i = 0; i < left.size(); ++i) {  // in turns
+    const TickRecord l = tick(scene, left[i].reading, ofLeft), r = another(scene, right[i].reading, ofRight);
+    EXPECT_EQ(l.command.jointRates, left[i].command.jointRates);
+    EXPECT_EQ(r.command.jointRates, right[i].command.jointRates);
+    EXPECT_EQ(l.environmentForce, left[i].environmentForce);
+    EXPECT_EQ(r.environmentForce, right[i].environmentForce);
+  }
+}
+
 TEST_F(HapticTickTest, HoldsTheOrientationWhileTheBallMoves) {
   const std::vector<TickRecord> records = run({}, {5, 4, -3}, 300);
   const Vishard10 arm(description.links);

@@ -12,7 +12,7 @@
 #include "device/usb/UsbDevice.h"
 #include "haptics/realtime/MonotonicClock.h"
 #include "haptics/servo/ServoLoop.h"
-#include "tests/device/usb/bench/VirtualBoard.h"
+#include "tests/device/usb/bench/BoardOnUsb.h"
 #include "tests/haptics/usb/WallBeforeHome.h"
 #include "tests/support/usb/VirtualBus.h"
 
@@ -31,7 +31,7 @@ double processorTime(int who) {
 /// Moves a bus by the wall clock, and the operator's hand with it.
 class BusClock {
  public:
-  BusClock(VirtualBus& bus, VirtualBoard& board, HandSource& hand, UsbSpeed speed)
+  BusClock(VirtualBus& bus, BoardOnUsb& board, HandSource& hand, UsbSpeed speed)
       : thread_([this, &bus, &board, &hand, speed] { run(bus, board, hand, speed); }) {
     makeRealtime(thread_);
   }
@@ -42,7 +42,7 @@ class BusClock {
   double processorTimeTaken() const { return taken_; }
 
  private:
-  void run(VirtualBus& bus, VirtualBoard& board, HandSource& hand, UsbSpeed speed) {
+  void run(VirtualBus& bus, BoardOnUsb& board, HandSource& hand, UsbSpeed speed) {
     TickGrid grid(monotonicNow(), speed == UsbSpeed::high ? 8000 : 1000);
     const std::int64_t start = monotonicNow();
     while (running_) {
@@ -66,7 +66,7 @@ void measure(double rate, UsbSpeed speed, double seconds) {
   const WallBeforeHome wall(description);
   const auto hand = wall.pushedBy(20);
   VirtualBus bus;
-  const auto board = std::make_shared<VirtualBoard>(description, "BENCH-1", speed);
+  const auto board = std::make_shared<BoardOnUsb>(description, "BENCH-1", speed);
   bus.plug(board);
   UsbDevice device(description, {"BENCH-1", board->countsHere(), false});
   ServoSeams seams(rate);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "tests/support/usb/UsbDescriptors.h"
-
 namespace haptiv::test {
 
 /// What befalls the next packets between a virtual device and the host: each counts down by one as it happens.

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tests/support/usb/UsbDescriptors.h"
+#include "device/usb/protocol/Descriptors.h"
 
 namespace haptiv::test {
 
@@ -15,7 +15,7 @@ class SysfsTestbed {
   SysfsTestbed(const SysfsTestbed&) = delete;
   SysfsTestbed& operator=(const SysfsTestbed&) = delete;
 
-  void add(const UsbDescriptors& device, int address);
+  void add(const usb::Descriptors& device, int address);
   void remove(int address);
 
  private:

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <utility>
 
 namespace haptiv::test {
@@ -13,14 +12,7 @@ namespace haptiv::test {
 namespace {
 
 constexpr std::uint8_t kInDirection = 0x80;
-constexpr std::uint8_t kTypeMask = 0x60;  // of a request: standard, class, vendor
 constexpr std::size_t kSetupSize = 8;
-constexpr std::uint8_t kGetDescriptor = 6;
-
-UsbSetup setupOf(const std::uint8_t* bytes) {
-  const auto word = [&](int at) { return static_cast<std::uint16_t>(bytes[at] | bytes[at + 1] << 8); };
-  return {bytes[0], bytes[1], word(2), word(4), word(6)};
-}
 
 std::span<std::uint8_t> bufferOf(const usbdevfs_urb* urb) {
   return {static_cast<std::uint8_t*>(urb->buffer), static_cast<std::size_t>(urb->buffer_length)};
@@ -29,8 +21,9 @@ std::span<std::uint8_t> bufferOf(const usbdevfs_urb* urb) {
 }  // namespace
 
 VirtualPort::VirtualPort(std::shared_ptr<VirtualUsbDevice> device, int address)
-    : device_(std::move(device)), descriptors_(device_->descriptors()), address_(address) {
+    : device_(std::move(device)), address_(address) {
   device_->powered(true);
+  configure();
 }
 
 int VirtualPort::open() {
@@ -76,8 +69,7 @@ int VirtualPort::control(int descriptor, unsigned long request, void* argument) 
     case USBDEVFS_RELEASEINTERFACE:
       return file.claimed.erase(number()) > 0 ? 0 : EINVAL;
     case USBDEVFS_CLEAR_HALT:
-      halted_.erase(static_cast<std::uint8_t>(number()));
-      return 0;
+      return tell(usb::kToEndpoint, usb::StandardRequest::clearFeature, usb::kEndpointHalt, number());
     case USBDEVFS_SUBMITURB:
       return submit(file, static_cast<usbdevfs_urb*>(argument));
     case USBDEVFS_DISCARDURB:
@@ -85,8 +77,13 @@ int VirtualPort::control(int descriptor, unsigned long request, void* argument) 
       file.complete(static_cast<usbdevfs_urb*>(argument), -ENOENT);
       return 0;
     case USBDEVFS_SETCONFIGURATION:
-    case USBDEVFS_SETINTERFACE:
+      return tell(usb::kToDevice, usb::StandardRequest::setConfiguration, number());
+    case USBDEVFS_SETINTERFACE: {
+      const auto& chosen = *static_cast<usbdevfs_setinterface*>(argument);
+      return tell(usb::kToInterface, usb::StandardRequest::setInterface, chosen.altsetting, chosen.interface);
+    }
     case USBDEVFS_RESET:
+      configure();
       return 0;
     case USBDEVFS_GETDRIVER:  // no driver of the kernel holds it
     case USBDEVFS_IOCTL:
@@ -115,41 +112,42 @@ int VirtualPort::reap(UsbFile& file, void* argument) {
   return 0;
 }
 
-std::optional<Bytes> VirtualPort::standard(const UsbSetup& setup) const {
-  if (setup.request != kGetDescriptor) return std::nullopt;
-  Bytes bytes;
-  if (setup.value >> 8 == 1) bytes = deviceDescriptor(descriptors_);
-  if (setup.value >> 8 == 2) bytes = configurationDescriptor(descriptors_);
-  if (setup.value >> 8 == 3) bytes = stringDescriptor(descriptors_, setup.value & 0xff);
-  if (bytes.empty()) return std::nullopt;
-  return bytes;
+int VirtualPort::tell(std::uint8_t recipient, usb::StandardRequest request, unsigned value, unsigned index) {
+  const usb::SetupPacket setup{recipient, static_cast<std::uint8_t>(request), static_cast<std::uint16_t>(value),
+                               static_cast<std::uint16_t>(index), 0};
+  return device_->answer(setup, {}) ? 0 : EPIPE;
+}
+
+/// The kernel chooses the only configuration that there is.
+void VirtualPort::configure() {
+  tell(usb::kToDevice, usb::StandardRequest::setConfiguration, 1);
+}
+
+void VirtualPort::halt(std::uint8_t endpoint) {
+  tell(usb::kToEndpoint, usb::StandardRequest::setFeature, usb::kEndpointHalt, endpoint);
 }
 
 /// Control requests are answered at once: they have no place in the bus's time.
 void VirtualPort::answer(UsbFile& file, usbdevfs_urb* urb) {
   const std::span<std::uint8_t> buffer = bufferOf(urb);
-  const UsbSetup setup = setupOf(buffer.data());
+  const usb::SetupPacket setup = usb::decodeSetup(buffer.first<kSetupSize>());
   const std::span<std::uint8_t> data = buffer.subspan(kSetupSize);
-  if ((setup.type & kInDirection) == 0) {
-    const bool taken = device_->controlOut(setup, data);
-    urb->actual_length = taken ? static_cast<int>(data.size()) : 0;
-    return file.complete(urb, taken ? 0 : -EPIPE);
-  }
-  const std::optional<Bytes> bytes = (setup.type & kTypeMask) == 0 ? standard(setup) : device_->controlIn(setup);
-  if (!bytes) return file.complete(urb, -EPIPE);
-  const std::size_t length = std::min(bytes->size(), data.size());
-  std::memcpy(data.data(), bytes->data(), length);
+  const usb::ControlAnswer answer = device_->answer(setup, setup.isIn() ? std::span<const std::uint8_t>() : data);
+  if (!answer) return file.complete(urb, -EPIPE);
+  const std::size_t length = setup.isIn() ? std::min(answer->size(), data.size()) : data.size();
+  if (setup.isIn()) std::copy_n(answer->begin(), length, data.begin());
   urb->actual_length = static_cast<int>(length);
   file.complete(urb, 0);
 }
 
 void VirtualPort::tick() {
   if (!plugged_ || faults.frozen) return;
-  for (const UsbEndpoint& endpoint : descriptors_.endpoints)
-    if ((endpoint.address & kInDirection) == 0) tickOut(endpoint);
+  const std::vector<usb::UsbEndpoint>& endpoints = descriptors().profile().endpoints;
+  for (const usb::UsbEndpoint& endpoint : endpoints)
+    if ((endpoint.address & kInDirection) == 0) tickOut(endpoint.address);
   device_->advance(interval());
-  for (const UsbEndpoint& endpoint : descriptors_.endpoints)
-    if ((endpoint.address & kInDirection) != 0) tickIn(endpoint);
+  for (const usb::UsbEndpoint& endpoint : endpoints)
+    if ((endpoint.address & kInDirection) != 0) tickIn(endpoint.address);
 }
 
 UsbFile* VirtualPort::waiting(std::uint8_t endpoint, usbdevfs_urb*& urb) const {
@@ -158,18 +156,18 @@ UsbFile* VirtualPort::waiting(std::uint8_t endpoint, usbdevfs_urb*& urb) const {
   return nullptr;
 }
 
-void VirtualPort::tickOut(const UsbEndpoint& endpoint) {
+void VirtualPort::tickOut(std::uint8_t endpoint) {
   usbdevfs_urb* urb = nullptr;
-  UsbFile* file = waiting(endpoint.address, urb);
-  if (file == nullptr || faults.holdOut || halted_.contains(endpoint.address)) return;
+  UsbFile* file = waiting(endpoint, urb);
+  if (file == nullptr || faults.holdOut || !device_->isOpen(endpoint)) return;
   if (befalls(faults.stallOut)) {
-    halted_.insert(endpoint.address);
+    halt(endpoint);
     return file->complete(urb, -EPIPE);
   }
   Bytes packet(bufferOf(urb).begin(), bufferOf(urb).end());
   if (!packet.empty() && befalls(faults.corruptOut)) packet[packet.size() / 2] ^= 0x10;
-  if (!befalls(faults.loseOut)) device_->packetOut(endpoint.address, packet);
-  if (befalls(faults.repeatOut)) device_->packetOut(endpoint.address, packet);
+  if (!befalls(faults.loseOut)) device_->packetOut(endpoint, packet);
+  if (befalls(faults.repeatOut)) device_->packetOut(endpoint, packet);
   urb->actual_length = urb->buffer_length;
   file->complete(urb, 0);
 }
@@ -192,17 +190,17 @@ std::optional<Bytes> VirtualPort::nextPacket(std::uint8_t endpoint) {
   return packet;
 }
 
-void VirtualPort::tickIn(const UsbEndpoint& endpoint) {
+void VirtualPort::tickIn(std::uint8_t endpoint) {
   usbdevfs_urb* urb = nullptr;
-  UsbFile* file = waiting(endpoint.address, urb);
-  if (file == nullptr || halted_.contains(endpoint.address)) return;
+  UsbFile* file = waiting(endpoint, urb);
+  if (file == nullptr || !device_->isOpen(endpoint)) return;
   if (befalls(faults.stallIn)) {
-    halted_.insert(endpoint.address);
+    halt(endpoint);
     return file->complete(urb, -EPIPE);
   }
   if (befalls(faults.damage)) return file->complete(urb, -EPROTO);
   if (befalls(faults.babble)) return file->complete(urb, -EOVERFLOW);
-  if (const std::optional<Bytes> packet = nextPacket(endpoint.address)) bring(*file, urb, *packet);
+  if (const std::optional<Bytes> packet = nextPacket(endpoint)) bring(*file, urb, *packet);
 }
 
 void VirtualPort::bring(UsbFile& file, usbdevfs_urb* urb, const Bytes& packet) {

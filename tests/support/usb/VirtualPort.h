@@ -16,8 +16,8 @@ class VirtualPort {
   VirtualPort(std::shared_ptr<VirtualUsbDevice> device, int address);
 
   int address() const { return address_; }
-  const UsbDescriptors& descriptors() const { return descriptors_; }
-  std::int64_t interval() const { return descriptors_.speed == UsbSpeed::high ? 125 : 1000; }  ///< [us]
+  const usb::Descriptors& descriptors() const { return device_->descriptors(); }
+  std::int64_t interval() const { return descriptors().profile().speed == UsbSpeed::high ? 125 : 1000; }  ///< [us]
 
   /// A new opening's file descriptor.
   int open();
@@ -44,18 +44,19 @@ class VirtualPort {
   int submit(UsbFile& file, usbdevfs_urb* urb);
   int reap(UsbFile& file, void* argument);
   void answer(UsbFile& file, usbdevfs_urb* urb);
-  std::optional<Bytes> standard(const UsbSetup& setup) const;
-  void tickOut(const UsbEndpoint& endpoint);
-  void tickIn(const UsbEndpoint& endpoint);
+  /// A standard request of the kernel's own, without data.
+  int tell(std::uint8_t recipient, usb::StandardRequest request, unsigned value, unsigned index = 0);
+  void configure();
+  void halt(std::uint8_t endpoint);
+  void tickOut(std::uint8_t endpoint);
+  void tickIn(std::uint8_t endpoint);
   std::optional<Bytes> nextPacket(std::uint8_t endpoint);
   void bring(UsbFile& file, usbdevfs_urb* urb, const Bytes& packet);
 
   std::shared_ptr<VirtualUsbDevice> device_;
-  UsbDescriptors descriptors_;
   int address_;
   bool plugged_ = true;
   std::list<std::unique_ptr<UsbFile>> files_;
-  std::set<std::uint8_t> halted_;
   std::optional<Bytes> held_;  // the packet that is overtaken, or comes again
 };
 

@@ -1,29 +1,24 @@
 #pragma once
 
-#include <optional>
-#include <span>
-
-#include "tests/support/usb/UsbDescriptors.h"
+#include "device/usb/protocol/Descriptors.h"
+#include "device/usb/protocol/SetupPacket.h"
 
 namespace haptiv::test {
 
-/// The eight bytes of a control request.
-struct UsbSetup {
-  std::uint8_t type = 0, request = 0;
-  std::uint16_t value = 0, index = 0, length = 0;
-};
+using Bytes = std::vector<std::uint8_t>;
+using usb::UsbSpeed;
 
-/// A model of a USB device, to be plugged into a VirtualBus: any kind. Standard requests the bus answers itself, by the
-/// descriptors; what is here is the device's own. The bus calls it under its lock, from whichever thread.
+/// A model of a USB device, to be plugged into a VirtualBus: any kind. The bus calls it under its lock, from whichever
+/// thread.
 class VirtualUsbDevice {
  public:
   virtual ~VirtualUsbDevice() = default;
 
-  virtual UsbDescriptors descriptors() const = 0;
-  /// A class or vendor request that asks for data; nothing: a stall.
-  virtual std::optional<Bytes> controlIn(const UsbSetup&) { return std::nullopt; }
-  /// One that brings data; false: a stall.
-  virtual bool controlOut(const UsbSetup&, std::span<const std::uint8_t>) { return false; }
+  virtual const usb::Descriptors& descriptors() const = 0;
+  /// A control request, standard ones too (usb::StandardRequests has their answers).
+  virtual usb::ControlAnswer answer(const usb::SetupPacket& setup, std::span<const std::uint8_t> data) = 0;
+  /// Whether an endpoint's packets go through: it is configured, and not halted.
+  virtual bool isOpen(std::uint8_t endpoint) const = 0;
   /// The host asks an IN endpoint for a packet, once an interval; nothing: it has none now.
   virtual std::optional<Bytes> packetIn(std::uint8_t endpoint) = 0;
   /// A packet has come to an OUT endpoint, at most one an interval.

@@ -10,7 +10,7 @@
 
 #include "app/commands/CommandLine.h"
 #include "tests/app/commands/TestFolder.h"
-#include "tests/device/usb/bench/VirtualBoard.h"
+#include "tests/device/usb/bench/BoardOnUsb.h"
 #include "tests/device/usb/falcon/BenchedFalcon.h"
 #include "tests/device/usb/spacemouse/VirtualSpaceMouse.h"
 #include "tests/support/usb/RunningBus.h"
@@ -40,7 +40,7 @@ class BusCommands : public ::testing::Test {
   nlohmann::json json() const { return nlohmann::json::parse(out_, nullptr, false); }
 
   test::VirtualPort& plugBoard(const std::string& serial) {
-    board_ = std::make_shared<test::VirtualBoard>(loadDeviceDescription("vishard10"), serial);
+    board_ = std::make_shared<test::BoardOnUsb>(loadDeviceDescription("vishard10"), serial);
     return bus_.plug(board_);
   }
   test::VirtualPort& plugFalcon() {
@@ -52,7 +52,7 @@ class BusCommands : public ::testing::Test {
 
   TestFolder folder_;
   test::VirtualBus bus_;
-  std::shared_ptr<test::VirtualBoard> board_;
+  std::shared_ptr<test::BoardOnUsb> board_;
   std::shared_ptr<falcon::test::FalconOnUsb> falcon_;
   std::string out_, err_;
 };

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "device/usb/UsbDevice.h"
-#include "tests/device/usb/bench/VirtualBoard.h"
+#include "tests/device/usb/bench/BoardOnUsb.h"
 #include "tests/support/usb/VirtualBus.h"
 
 namespace haptiv::test {
@@ -47,21 +47,21 @@ class BenchedUsbDevice : public HapticDevice {
 
   Homing* homing() noexcept override { return device_ ? device_->homing() : nullptr; }
 
-  VirtualBoard& board() { return *board_; }
+  BoardOnUsb& board() { return *board_; }
   VirtualPort& port() { return *port_; }
   VirtualBus& bus() { return bus_; }
 
  private:
   void plug() {
     if (port_ != nullptr) bus_.unplug(*port_);
-    board_ = std::make_shared<VirtualBoard>(description_, "BENCH-1", speed_);
+    board_ = std::make_shared<BoardOnUsb>(description_, "BENCH-1", speed_);
     port_ = &bus_.plug(board_);
   }
 
   DeviceDescription description_;
   UsbSpeed speed_;
   VirtualBus bus_;
-  std::shared_ptr<VirtualBoard> board_;
+  std::shared_ptr<BoardOnUsb> board_;
   VirtualPort* port_ = nullptr;
   std::unique_ptr<UsbDevice> device_;
   std::unique_ptr<HandSource> hand_;

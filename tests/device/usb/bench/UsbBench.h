@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "device/usb/UsbDevice.h"
-#include "tests/device/usb/bench/VirtualBoard.h"
+#include "tests/device/usb/bench/BoardOnUsb.h"
 #include "tests/support/usb/VirtualBus.h"
 
 namespace haptiv::test {
@@ -71,7 +71,7 @@ class UsbBench : public testing::Test {
   static constexpr int kIntervals = 8;  // of 125 us
 
   DeviceDescription description = loadDeviceDescription("vishard10");
-  std::shared_ptr<VirtualBoard> board = std::make_shared<VirtualBoard>(description, "B-0001");
+  std::shared_ptr<BoardOnUsb> board = std::make_shared<BoardOnUsb>(description, "B-0001");
   VirtualBus bus;
   VirtualPort* port = &bus.plug(board);
   UsbDevice device{description, {"", board->countsHere(), false}};

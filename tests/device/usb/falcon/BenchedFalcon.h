@@ -6,36 +6,48 @@
 #include <utility>
 
 #include "device/usb/falcon/FalconDevice.h"
+#include "device/usb/peripheral/StandardRequests.h"
 #include "tests/device/usb/falcon/VirtualFalcon.h"
 #include "tests/support/usb/RunningBus.h"
 
 namespace haptiv::falcon::test {
 
 using haptiv::test::Bytes;
-using haptiv::test::UsbDescriptors;
-using haptiv::test::UsbSetup;
-using haptiv::test::UsbSpeed;
 
 /// A VirtualFalcon as a USB device of full speed: an interval of the bus is a millisecond.
 class FalconOnUsb : public haptiv::test::VirtualUsbDevice {
  public:
   explicit FalconOnUsb(const DeviceDescription& description) : falcon(description) {}
 
-  UsbDescriptors descriptors() const override {
-    return {0x0403,     0xcb48,
-            "FTDI",     "FALCON HAPTIC",
-            "FALCON-1", UsbSpeed::full,
-            0xff,       0xff,
-            0xff,       {{0x81, 2, 64, 0}, {0x02, 2, 64, 0}}};
+  const usb::Descriptors& descriptors() const override { return standard_.descriptors(); }
+  usb::ControlAnswer answer(const usb::SetupPacket& setup, std::span<const std::uint8_t>) override {
+    if (setup.isStandard()) return standard_.answer(setup);
+    const bool taken = setup.requestType == 0x40 && falcon.control(setup.request, setup.value, setup.index);
+    return taken ? usb::ControlAnswer{Bytes{}} : std::nullopt;
   }
-  bool controlOut(const UsbSetup& setup, std::span<const std::uint8_t>) override {
-    return setup.type == 0x40 && falcon.control(setup.request, setup.value, setup.index);
-  }
+  bool isOpen(std::uint8_t endpoint) const override { return standard_.isOpen(endpoint); }
   std::optional<Bytes> packetIn(std::uint8_t) override { return falcon.tell(); }
   void packetOut(std::uint8_t, std::span<const std::uint8_t> packet) override { falcon.take(packet); }
   void advance(std::int64_t) override {}
 
   VirtualFalcon falcon;
+
+ private:
+  static usb::UsbProfile profile() {
+    constexpr auto kBulk = usb::TransferType::bulk;
+    usb::UsbProfile profile;
+    profile.vendor = 0x0403;
+    profile.product = 0xcb48;
+    profile.manufacturer = "FTDI";
+    profile.productName = "FALCON HAPTIC";
+    profile.serial = "FALCON-1";
+    profile.speed = usb::UsbSpeed::full;
+    profile.subclass = profile.protocol = 0xff;
+    profile.endpoints = {{0x81, kBulk, 64, 0}, {0x02, kBulk, 64, 0}};
+    return profile;
+  }
+
+  usb::StandardRequests standard_{usb::Descriptors(profile())};
 };
 
 /// A FalconDevice over the virtual bus, whose clock is the servo's: each write lets a millisecond pass on the bus. A

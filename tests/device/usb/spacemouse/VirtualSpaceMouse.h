@@ -2,6 +2,7 @@
 
 #include <deque>
 
+#include "device/usb/peripheral/StandardRequests.h"
 #include "tests/support/usb/VirtualUsbDevice.h"
 
 namespace haptiv::test {
@@ -10,11 +11,13 @@ namespace haptiv::test {
 class VirtualSpaceMouse : public VirtualUsbDevice {
  public:
   explicit VirtualSpaceMouse(std::uint16_t vendor = 0x046d, std::uint16_t product = 0xc626)
-      : vendor_(vendor), product_(product) {}
+      : standard_(usb::Descriptors(profile(vendor, product))) {}
 
-  UsbDescriptors descriptors() const override {
-    return {vendor_, product_, "3Dconnexion", "SpaceNavigator", "", UsbSpeed::full, 3, 0, 0, {{0x81, 3, 16, 8}}};
+  const usb::Descriptors& descriptors() const override { return standard_.descriptors(); }
+  usb::ControlAnswer answer(const usb::SetupPacket& setup, std::span<const std::uint8_t>) override {
+    return standard_.answer(setup);
   }
+  bool isOpen(std::uint8_t endpoint) const override { return standard_.isOpen(endpoint); }
   std::optional<Bytes> packetIn(std::uint8_t) override {
     if (reports.empty()) return std::nullopt;
     const Bytes report = reports.front();
@@ -27,7 +30,19 @@ class VirtualSpaceMouse : public VirtualUsbDevice {
   std::deque<Bytes> reports;
 
  private:
-  std::uint16_t vendor_, product_;
+  static usb::UsbProfile profile(std::uint16_t vendor, std::uint16_t product) {
+    usb::UsbProfile profile;
+    profile.vendor = vendor;
+    profile.product = product;
+    profile.manufacturer = "3Dconnexion";
+    profile.productName = "SpaceNavigator";
+    profile.speed = UsbSpeed::full;
+    profile.interfaceClass = 3;
+    profile.endpoints = {{0x81, usb::TransferType::interrupt, 16, 8}};
+    return profile;
+  }
+
+  usb::StandardRequests standard_;
 };
 
 }  // namespace haptiv::test

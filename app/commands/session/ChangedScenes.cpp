@@ -1,0 +1,143 @@
+#include "app/commands/session/ChangedScenes.h"
+
+#include <Inventor/actions/SoSearchAction.h>
+#include <Inventor/fields/SoSFString.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/commands/ExitCode.h"
+#include "app/commands/scene/LoadedScene.h"
+
+namespace haptiv {
+namespace {
+
+std::set<SoNode*> nodesCalled(SoNode* root, const std::string& name) {
+  SoSearchAction search;
+  search.setType(SoNode::getClassTypeId());
+  search.setInterest(SoSearchAction::ALL);
+  search.setSearchingAll(TRUE);
+  search.apply(root);
+  std::set<SoNode*> nodes;
+  for (int i = 0; i < search.getPaths().getLength(); ++i) {
+    SoNode* node = search.getPaths()[i]->getTail();
+    const auto* label = dynamic_cast<const SoSFString*>(node->getField("label"));
+    if (name == node->getName().getString() || (label && name == label->getValue().getString())) nodes.insert(node);
+  }
+  return nodes;
+}
+
+// False: the scene has no node of this name. A Separator and the surface in it may bear the same one: the field
+// decides.
+bool apply(SoNode* root, const PropertyChange& change) {
+  const std::set<SoNode*> nodes = nodesCalled(root, change.node);
+  const std::string what = "--set " + change.node + "." + change.field + "=" + change.value + ": ";
+  bool applied = false;
+  for (SoNode* node : nodes) {
+    SoField* field = node->getField(change.field.c_str());
+    if (!field) continue;
+    if (!field->set(change.value.c_str())) throw CommandFailure(kWrongUsage, what + "this is no value of that field");
+    applied = true;
+  }
+  if (!nodes.empty() && !applied)
+    throw CommandFailure(kWrongUsage, what + "a " + (*nodes.begin())->getTypeId().getName().getString() +
+                                          " has no such field; docs/nodes.md lists its fields");
+  return applied;
+}
+
+// Reads and compiles; through the text, so that a changed scene is judged as a file is.
+std::shared_ptr<const HapticScene> compile(const SceneFile& file) {
+  Diagnostics diagnostics = file.diagnostics;
+  CompiledScene compiled;
+  if (file.root) {
+    compiled = SceneCompiler().compile(file);
+    diagnostics.insert(diagnostics.end(), compiled.diagnostics.begin(), compiled.diagnostics.end());
+  }
+  if (!compiled.scene || hasErrors(diagnostics)) {
+    tell(diagnostics);
+    throw CommandFailure(kNotSo, "the logged scene cannot be felt with what --set changes; see the lines above");
+  }
+  return compiled.scene;
+}
+
+/// Carries what differs between `before` and `after` over to `to`.
+template <typename T>
+void carry(T& to, const T& before, const T& after) {
+  if (before != after) to = after;
+}
+
+bool isSame(const TriangleMesh* a, const TriangleMesh* b) {
+  return a == b || (a && b && a->vertices == b->vertices && a->triangles == b->triangles);
+}
+
+void carry(Shape& to, const Shape& before, const Shape& after) {
+  if (!isSame(before.mesh.get(), after.mesh.get())) to.mesh = after.mesh;
+  carry(to.kind, before.kind, after.kind);
+  carry(to.centre, before.centre, after.centre);
+  carry(to.axes, before.axes, after.axes);
+}
+
+void carry(Wall& to, const Wall& before, const Wall& after) {
+  carry(to.shape, before.shape, after.shape);
+  carry(to.surface.stiffness, before.surface.stiffness, after.surface.stiffness);
+  carry(to.surface.damping, before.surface.damping, after.surface.damping);
+  carry(to.surface.hysteresis, before.surface.hysteresis, after.surface.hysteresis);
+  carry(to.surface.staticFriction, before.surface.staticFriction, after.surface.staticFriction);
+  carry(to.surface.dynamicFriction, before.surface.dynamicFriction, after.surface.dynamicFriction);
+}
+
+void carry(Zone& to, const Zone& before, const Zone& after) {
+  carry(to.kind, before.kind, after.kind);
+  carry(to.shape, before.shape, after.shape);
+  carry(to.damping, before.damping, after.damping);
+  carry(to.stiffness, before.stiffness, after.stiffness);
+  carry(to.restLength, before.restLength, after.restLength);
+  carry(to.anchor, before.anchor, after.anchor);
+}
+
+// All shapes are taken anew where their number is another: one was switched on or off.
+template <typename T>
+void carry(std::vector<T>& to, const std::vector<T>& before, const std::vector<T>& after) {
+  if (to.size() != before.size() || before.size() != after.size()) {
+    to = after;
+    return;
+  }
+  for (std::size_t i = 0; i < to.size(); ++i) carry(to[i], before[i], after[i]);
+}
+
+}  // namespace
+
+PropertyChange parseChange(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const std::size_t dot = text.rfind('.', equals);
+  if (equals == std::string::npos || dot == std::string::npos || dot == 0 || dot + 1 >= equals)
+    throw CommandFailure(kWrongUsage, "--set " + text + ": write NODE.FIELD=VALUE, such as Wall.stiffness=500");
+  return {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), text.substr(equals + 1)};
+}
+
+std::vector<LoggedScene> withChanges(const std::vector<LoggedScene>& scenes,
+                                     const std::vector<PropertyChange>& changes) {
+  std::vector<bool> used(changes.size(), false);
+  std::vector<LoggedScene> changed = scenes;
+  for (LoggedScene& each : changed) {
+    const SceneFile file = readSceneText(each.text, "the logged scene");
+    const auto before = compile(file);
+    for (std::size_t i = 0; i < changes.size(); ++i)
+      if (apply(file.root.get(), changes[i])) used[i] = true;
+    each.text = writeSceneText(file.root.get());
+    const auto after = compile(readSceneText(each.text, "the changed scene"));
+    carry(each.scene.tool.mass, before->tool.mass, after->tool.mass);
+    carry(each.scene.tool.damping, before->tool.damping, after->tool.damping);
+    carry(each.scene.tool.radius, before->tool.radius, after->tool.radius);
+    carry(each.scene.walls, before->walls, after->walls);
+    carry(each.scene.zones, before->zones, after->zones);
+    computeBounds(each.scene);
+  }
+  for (std::size_t i = 0; i < changes.size(); ++i)
+    if (!used[i])
+      throw CommandFailure(kWrongUsage, "--set: no node of the logged scene has the DEF name or label " +
+                                            changes[i].node + "; haptiv info names the scene");
+  return changed;
+}
+
+}  // namespace haptiv

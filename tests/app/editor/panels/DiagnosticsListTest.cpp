@@ -1,0 +1,56 @@
+#include "app/editor/panels/DiagnosticsList.h"
+
+#include <gmock/gmock.h>
+
+#include "app/editor/Edits.h"
+#include "tests/app/editor/EditedScene.h"
+
+namespace haptiv {
+namespace {
+
+TEST(DiagnosticsList, SaysThatThereAreNoProblems) {
+  EditedScene scene("#Inventor V2.1 ascii\nHapticTool { home 0.3 0 0 }\n");
+  DiagnosticsList list(scene.document);
+  ASSERT_EQ(list.count(), 1);
+  EXPECT_EQ(list.item(0)->text(), "No problems");
+}
+
+TEST(DiagnosticsList, SelectsTheShapeThatIsMeant) {
+  EditedScene scene(kTwoWalls);
+  DiagnosticsList list(scene.document);
+  ASSERT_TRUE(scene.select("left"));
+  editProperty(
+      scene.document, "stiffness", [](const SoField& f) { return FieldValue(f, "-1"); }, Reach::onlyThis);
+  scene.document.select(nullptr);
+  letEventsRun();
+  ASSERT_EQ(list.count(), 1);
+  EXPECT_THAT(list.item(0)->text().toStdString(), testing::HasSubstr("stiffness"));
+  emit list.itemClicked(list.item(0));
+  letEventsRun();
+  const std::vector<SceneItem> items = scene.items();
+  const SceneItem* item = findItem(items, scene.document.selection());
+  ASSERT_TRUE(item);
+  EXPECT_EQ(item->name, "left");
+}
+
+TEST(DiagnosticsList, ShowsWhatIsDoubtfulWithItsLineAndSelectsIt) {
+  EditedScene scene(
+      "#VRML V2.0 utf8\nHapticTool { home 0.3 0 0 }\nTransform { translation 0.3 0.2 0 children [ HapticSurface { "
+      "label "
+      "\"thin\" }\nShape { geometry Box { size 0.1 0.001 0.1 } } ] }\n");
+  DiagnosticsList list(scene.document);
+  ASSERT_EQ(list.count(), 1);
+  EXPECT_THAT(list.item(0)->text().toStdString(), testing::StartsWith("Line 4: "));
+  EXPECT_THAT(list.item(0)->text().toStdString(), testing::HasSubstr("1 mm thick"));
+  EXPECT_NE(list.item(0)->icon().cacheKey(), 0);
+  emit list.itemActivated(list.item(0));
+  letEventsRun();
+  const std::vector<SceneItem> items = scene.items();
+  const SceneItem* item = findItem(items, scene.document.selection());
+  ASSERT_TRUE(item);
+  EXPECT_EQ(item->name, "thin");
+  EXPECT_EQ(item->kind, SceneItem::Kind::wall);
+}
+
+}  // namespace
+}  // namespace haptiv
