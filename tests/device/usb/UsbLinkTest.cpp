@@ -9,7 +9,7 @@
 
 #include "device/usb/host/BoardRequests.h"
 #include "device/usb/libusb/UsbFailure.h"
-#include "tests/device/usb/bench/VirtualBoard.h"
+#include "tests/device/usb/bench/BoardOnUsb.h"
 #include "tests/support/usb/VirtualBus.h"
 
 namespace haptiv::test {
@@ -44,7 +44,7 @@ class UsbLinkTest : public testing::Test {
   }
 
   VirtualBus bus;
-  std::shared_ptr<VirtualBoard> board = std::make_shared<VirtualBoard>(loadDeviceDescription("vishard10"), "B-0001");
+  std::shared_ptr<BoardOnUsb> board = std::make_shared<BoardOnUsb>(loadDeviceDescription("vishard10"), "B-0001");
   VirtualPort* port = &bus.plug(board);
   AnyClient client;
   usb::UsbLink link{usb::boardKind(), "", client};
