@@ -1,25 +1,22 @@
 #include "app/editor/SceneWalk.h"
 
-#include "scenegraph/nodes/SoHapticDevice.h"
-#include "scenegraph/nodes/SoHapticNone.h"
-#include "scenegraph/nodes/SoHapticRubberBand.h"
-#include "scenegraph/nodes/SoHapticSurface.h"
-#include "scenegraph/nodes/SoHapticTool.h"
-#include "scenegraph/nodes/SoHapticViscousZone.h"
-
 #include <Inventor/VRMLnodes/SoVRMLGroup.h>
 #include <Inventor/VRMLnodes/SoVRMLLOD.h>
-#include <Inventor/VRMLnodes/SoVRMLShape.h>
 #include <Inventor/VRMLnodes/SoVRMLSwitch.h>
 #include <Inventor/fields/SoSFString.h>
 #include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoLOD.h>
 #include <Inventor/nodes/SoLevelOfDetail.h>
 #include <Inventor/nodes/SoMaterial.h>
-#include <Inventor/nodes/SoShape.h>
 #include <Inventor/nodes/SoSwitch.h>
 
 #include <algorithm>
+
+#include "app/editor/NodeRoles.h"
+#include "scenegraph/nodes/SoHapticNone.h"
+#include "scenegraph/nodes/SoHapticRubberBand.h"
+#include "scenegraph/nodes/SoHapticSurface.h"
+#include "scenegraph/nodes/SoHapticViscousZone.h"
 
 namespace haptiv {
 namespace {
@@ -39,42 +36,6 @@ QColor toColour(const SbColor& colour) {
 QString textOf(const SoNode& node, const char* fieldName) {
   const auto* field = dynamic_cast<const SoSFString*>(node.getField(fieldName));
   return field ? QString::fromUtf8(field->getValue().getString()) : QString();
-}
-
-/// What the walk does about a node.
-enum class Role : unsigned char {
-  unknown,
-  property,
-  tool,
-  device,
-  material,
-  baseColor,
-  shape,
-  separator,
-  group,
-  other
-};
-
-Role roleOfType(SoType type) {
-  const auto is = [&](SoType wanted) { return type.isDerivedFrom(wanted); };
-  if (is(SoHapticProperty::getClassTypeId())) return Role::property;
-  if (is(SoHapticTool::getClassTypeId())) return Role::tool;
-  if (is(SoHapticDevice::getClassTypeId())) return Role::device;
-  if (is(SoMaterial::getClassTypeId())) return Role::material;
-  if (is(SoBaseColor::getClassTypeId())) return Role::baseColor;
-  if (is(SoShape::getClassTypeId()) || is(SoVRMLShape::getClassTypeId())) return Role::shape;
-  if (type == SoSeparator::getClassTypeId()) return Role::separator;
-  return is(SoGroup::getClassTypeId()) ? Role::group : Role::other;
-}
-
-/// Looked up by the number that Coin gives the type: a scene may have half a million nodes.
-Role roleOf(const SoNode& node) {
-  static std::vector<Role> known;
-  const SoType type = node.getTypeId();
-  const auto key = static_cast<std::size_t>(type.getKey());
-  if (key >= known.size()) known.resize(key + 1, Role::unknown);
-  if (known[key] == Role::unknown) known[key] = roleOfType(type);
-  return known[key];
 }
 
 SceneItem::Kind kindOfShape(const SoNode* property) {
@@ -107,8 +68,8 @@ QString stemOf(const SceneItem& item) {
 }
 
 /// The only child that is visited, or what SoSwitch says of none and all.
-int chosenChild(const SoGroup& group) {
-  if (roleOf(group) == Role::separator) return SO_SWITCH_ALL;
+int chosenChild(const SoGroup& group, Role role) {
+  if (role == Role::separator) return SO_SWITCH_ALL;
   if (const auto* choice = dynamic_cast<const SoSwitch*>(&group)) return choice->whichChild.getValue();
   if (const auto* choice = dynamic_cast<const SoVRMLSwitch*>(&group)) return choice->whichChoice.getValue();
   for (const SoType levels :
@@ -119,8 +80,8 @@ int chosenChild(const SoGroup& group) {
 }
 
 /// Whether what is said in the group ends with it.
-bool keepsToItself(const SoGroup& group) {
-  return roleOf(group) == Role::separator || group.isOfType(SoSeparator::getClassTypeId()) ||
+bool keepsToItself(const SoGroup& group, Role role) {
+  return role == Role::separator || group.isOfType(SoSeparator::getClassTypeId()) ||
          group.isOfType(SoVRMLGroup::getClassTypeId());
 }
 
@@ -129,7 +90,7 @@ class Walk {
   explicit Walk(bool named) : named_(named) {}
 
   void visit(SoNode* node, State& state) {
-    switch (roleOf(*node)) {
+    switch (const Role role = roles_(*node); role) {
       case Role::property:
         state.property = node;
         break;
@@ -150,7 +111,7 @@ class Walk {
         break;
       case Role::separator:
       case Role::group:
-        visitChildren(static_cast<SoGroup*>(node), state);
+        visitChildren(static_cast<SoGroup*>(node), role, state);
         break;
       case Role::unknown:
       case Role::other:
@@ -161,12 +122,12 @@ class Walk {
   std::vector<SceneItem> take() { return std::move(items_); }
 
  private:
-  void visitChildren(SoGroup* group, State& state) {
+  void visitChildren(SoGroup* group, Role role, State& state) {
     if (place_.size() >= kMaxDepth) return;
     State inner = state;
     int first = 0;
     int end = group->getNumChildren();
-    const int which = chosenChild(*group);
+    const int which = chosenChild(*group, role);
     if (which == SO_SWITCH_NONE) return;
     if (which >= 0) {
       first = std::min(which, end);
@@ -179,7 +140,7 @@ class Walk {
       place_.pop_back();
     }
     names_.pop_back();
-    if (!keepsToItself(*group)) state = inner;
+    if (!keepsToItself(*group, role)) state = inner;
   }
 
   static void takeColour(const SoMFColor& colours, State& state) {
@@ -198,6 +159,7 @@ class Walk {
   }
 
   bool named_;
+  NodeRoles roles_;
   ScenePlace place_;
   std::vector<const char*> names_;  ///< DEF names of the groups on the way
   std::vector<SceneItem> items_;
