@@ -5,8 +5,6 @@
 #include <sys/timerfd.h>
 #include <unistd.h>
 
-#include <algorithm>
-
 #include <cerrno>
 #include <system_error>
 
