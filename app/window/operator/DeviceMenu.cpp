@@ -22,7 +22,7 @@ void DeviceMenu::refresh() {
     const std::vector<PluggedDevice> devices = pluggedDevices(firmware_.toStdString());
     list(devices, PluggedKind::board, tr("Interface boards"));
     list(devices, PluggedKind::falcon, tr("Novint Falcons"));
-    list(devices, PluggedKind::spaceMouse, tr("SpaceMice: Session > Hand held by"));
+    list(devices, PluggedKind::spaceMouse, tr("SpaceMice (Hand held by)"));
   } catch (const std::exception& error) {
     addAction(QString::fromUtf8(error.what()))->setEnabled(false);
   }
