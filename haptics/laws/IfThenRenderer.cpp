@@ -56,11 +56,11 @@ void followWalls(const ContactSet& before, const Vector3& goal, Proxy& proxy) no
     proxy.position = goal;
     return;
   }
-  const int kRounds = before.count > 1 ? 2 : 1;
+  const int rounds = before.count > 1 ? 2 : 1;
   std::array<double, ContactSet::kMaxContacts> share;
   std::transform(before.begin(), before.end(), share.begin(), [](const Contact& contact) { return contact.depth; });
   Vector3 place = proxy.position + goal - before.goal;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     double* pushed = share.data();
     for (const Contact& contact : before) {
       const double next = std::max(0.0, *pushed + contact.offset - contact.normal.dot(place));

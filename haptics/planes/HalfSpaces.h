@@ -35,7 +35,7 @@ struct HalfSpaces {
   /// than 2 / d times as much) and do not depend on their order: planes on one spot share alike. Their sum along the
   /// normals is the way to the nearest point for one plane and for coinciding ones, else within some d^2 of it: so a
   /// plane that is met when the others hold p already, as that of a triangle is, comes in with next to no share.
-  ///
+  /// Realtime-safe: yes.
   void shareOut(const Vector3& p) noexcept { shareOut(p, p); }
 
   /// The same, and the nearest point to p that is in all of them: exact, as the sum of the shares is not. Where no
