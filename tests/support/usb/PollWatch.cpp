@@ -63,4 +63,9 @@ void PollWatch::forget(std::thread::id thread) {
   std::erase_if(sleepers_, [&](const Sleeper& sleeper) { return sleeper.thread == thread; });
 }
 
+PollWatch& pollWatch() {
+  static PollWatch& watch = *new PollWatch;  // never destroyed: umockdev's thread polls until the program has ended
+  return watch;
+}
+
 }  // namespace haptiv::test

@@ -36,4 +36,7 @@ class PollWatch {
   std::vector<Sleeper> sleepers_;
 };
 
+/// The polls of the whole program.
+PollWatch& pollWatch();
+
 }  // namespace haptiv::test

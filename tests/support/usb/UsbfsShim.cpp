@@ -1,6 +1,7 @@
 // The functions of libc by which libusb reaches the kernel. Being defined in the executable, they come before libc's
 // for the shared libraries too; what is not for the virtual bus goes on to the next library: umockdev, a sanitizer,
-// libc.
+// libc. ThreadSanitizer itself opens and closes files while it writes a report, its locks held: for files that are none
+// of the bus's no lock is taken here and nothing is done that it watches (this file is compiled without it).
 #include "tests/support/usb/UsbfsShim.h"
 
 #include <dlfcn.h>
@@ -8,10 +9,13 @@
 #include <pthread.h>
 #include <sys/timerfd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdarg>
 #include <string_view>
 
+#include "tests/support/usb/PollWatch.h"
 #include "tests/support/usb/ShimTime.h"
 #include "tests/support/usb/VirtualBus.h"
 
@@ -24,11 +28,34 @@ Function next(const char* name) {
   return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }
 
+/// The descriptors that the bus has a hand in: files open on it, timers that ring by it.
+constinit std::array<std::atomic<bool>, 4096> busDescriptors{};
+
+std::atomic<bool>* flagOf(int descriptor) {
+  const auto at = static_cast<std::size_t>(descriptor);  // huge where it is negative
+  return at < busDescriptors.size() ? &busDescriptors[at] : nullptr;
+}
+
+void adopt(int descriptor) {
+  if (std::atomic<bool>* flag = flagOf(descriptor)) *flag = true;
+}
+
+/// Whether it was one of the bus's.
+bool disown(int descriptor) {
+  std::atomic<bool>* flag = flagOf(descriptor);
+  return flag != nullptr && *flag && flag->exchange(false);
+}
+
 /// A device's descriptor, or -1 with errno; nothing: the file is none of the bus's.
 std::optional<int> openOnBus(const char* path) {
+  if (!std::string_view(path).starts_with("/dev/bus/usb/")) return std::nullopt;
   VirtualBus* bus = VirtualBus::installed();
   const std::optional<int> opened = bus != nullptr ? bus->open(path) : std::nullopt;
-  if (!opened || *opened >= 0) return opened;
+  if (!opened) return opened;
+  if (*opened >= 0) {
+    adopt(*opened);
+    return opened;
+  }
   errno = -*opened;
   return -1;
 }
@@ -57,11 +84,6 @@ struct ThreadsEnd {
 };
 
 }  // namespace
-
-PollWatch& pollWatch() {
-  static PollWatch& watch = *new PollWatch;  // never destroyed: umockdev's thread polls until the program has ended
-  return watch;
-}
 
 int realPoll(pollfd* descriptors, nfds_t count, int timeout) {
   static const auto real = next<int (*)(pollfd*, nfds_t, int)>("poll");
@@ -103,7 +125,8 @@ int __open_2(const char* path, int flags) {
 }
 
 int close(int descriptor) {
-  if (VirtualBus* bus = VirtualBus::installed()) bus->closing(descriptor);
+  VirtualBus* bus = VirtualBus::installed();
+  if (haptiv::test::disown(descriptor) && bus != nullptr) bus->closing(descriptor);
   return haptiv::test::realClose(descriptor);
 }
 
@@ -124,6 +147,7 @@ int timerfd_settime(int timer, int flags, const itimerspec* value, itimerspec* b
   VirtualBus* bus = VirtualBus::installed();
   if (flags != 0 || after == 0 || bus == nullptr || !bus->setAlarm(timer, after))
     return haptiv::test::realSetTime(timer, flags, value, before);
+  haptiv::test::adopt(timer);
   constexpr itimerspec kNever{};
   return haptiv::test::realSetTime(timer, 0, &kNever, before);
 }

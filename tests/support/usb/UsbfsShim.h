@@ -1,11 +1,8 @@
 #pragma once
 
-#include "tests/support/usb/PollWatch.h"
+#include <poll.h>
 
 namespace haptiv::test {
-
-/// The polls of the whole program.
-PollWatch& pollWatch();
 
 /// The libc's own, past the bench.
 int realPoll(pollfd* descriptors, nfds_t count, int timeout);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/support/usb/PollWatch.h"
 #include "tests/support/usb/UsbfsShim.h"
 
 namespace haptiv::test {
