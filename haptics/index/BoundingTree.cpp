@@ -21,26 +21,6 @@ BoundingTree::BoundingTree(std::span<const Bounds> boxes, const Bounds& all, Tre
 BoundingTree::BoundingTree(std::vector<BoxNode> nodes, const Vector3& origin, std::size_t size)
     : nodes_(std::move(nodes)), origin_(origin), farOff_(origin_.cwiseAbs().sum()), size_(size) {}
 
-std::optional<std::size_t> BoundingTree::copyNear(const FloatBox& query, std::span<BoxNode> nodes) const noexcept {
-  std::size_t count = 0;
-  bool fits = true;
-  const auto copyItems = [&](const BoxNode& node) {
-    const unsigned touching = fits ? node.touching(query) : 0;
-    for (unsigned bits = touching; bits != 0; bits &= bits - 1) {
-      const auto place = static_cast<std::size_t>(std::countr_zero(bits));
-      if ((node.child[place] & BoxNode::kItemFlag) == 0) continue;
-      fits = fits && count < nodes.size() * BoxNode::kWidth;
-      if (!fits) return 0U;
-      BoxNode& copy = nodes[count / BoxNode::kWidth];
-      if (count % BoxNode::kWidth == 0) copy = BoxNode::empty();
-      copy.set(count++ % BoxNode::kWidth, node.box(place), node.child[place]);
-    }
-    return touching;
-  };
-  walk(copyItems, [](std::uint32_t) {});
-  return fits ? std::optional((count + BoxNode::kWidth - 1) / BoxNode::kWidth) : std::nullopt;
-}
-
 std::vector<std::uint32_t> BoundingTree::renumber() {
   std::vector<std::uint32_t> before;
   before.reserve(size_);

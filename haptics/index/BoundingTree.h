@@ -3,7 +3,6 @@
 #include <bit>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -64,10 +63,6 @@ class BoundingTree {
   void forEachNear(const FloatBox& query, Visit&& visit) const noexcept {
     walk([&](const BoxNode& node) { return node.touching(query); }, visit);
   }
-
-  /// Copies the boxes that touch what `around` returned, each with its item, into as many of these nodes as they need.
-  /// Returns their number, or nothing where they do not fit.
-  std::optional<std::size_t> copyNear(const FloatBox& query, std::span<BoxNode> nodes) const noexcept;
 
   /// Calls visit(item) for the boxes that are no farther from p_W than `reach`.
   template <typename Visit>

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <limits>
 
-#include "haptics/index/BoundingTree.h"
+#include "haptics/index/GatheredBoxes.h"
 
 namespace haptiv {
 
 /// The boxes of a tree around a place, remembered: who asks again and again, from a little farther on each time, is
-/// spared the walk down the tree.
+/// spared the walk down the tree. Where the edge of what is remembered comes near, what lies ahead is gathered, a
+/// little in each call, so that no call takes long.
 ///
 /// It finds the same items as the tree, perhaps in another order. It knows one tree: whoever turns to another one has
 /// to forget() first. Realtime-safe: yes.
@@ -17,7 +18,7 @@ class RememberedBoxes {
  public:
   void forget() noexcept { *this = {}; }
 
-  /// What to remember, should the tree have to be asked.
+  /// What to remember, should there be need.
   struct Ahead {
     double margin = 0;              ///< how much farther than asked for; 0: nothing is remembered [m]
     Vector3 way = Vector3::Zero();  ///< that whoever asks is about to go; as much of it as there is room for [m]
@@ -29,12 +30,8 @@ class RememberedBoxes {
   void forEachNear(const BoundingTree& tree, const Vector3& p_W, double reach, const Ahead& ahead, Visit&& visit,
                    Remembered&& remembered) noexcept {
     const FloatBox query = tree.around(p_W, reach);
-    if (!known_.holds(query) && ahead.margin > 0) {
-      remember(tree, tree.along(p_W, p_W + ahead.way, reach + ahead.margin));
-      if (!nodes_) remember(tree, tree.around(p_W, reach + ahead.margin));
-      forEachRemembered(remembered);
-    }
-    if (!nodes_ || !known_.holds(query)) return tree.forEachNear(query, visit);
+    const bool isKnown = inner_.holds(query) || lookAhead(tree, query, p_W, reach, ahead, remembered);
+    if (!isKnown) return tree.forEachNear(query, visit);
     findRemembered(query);
     for (std::size_t i = 0; i < founds_; ++i) visit(found_[i]);
   }
@@ -45,21 +42,43 @@ class RememberedBoxes {
   }
 
  private:
-  static constexpr std::size_t kMost = 8;
-  using Items = std::array<std::uint32_t, kMost * BoxNode::kWidth>;
+  static constexpr std::size_t kNodesAtOnce = 1;  ///< of the tree, in a call
+  static constexpr std::size_t kBusy = 2;         ///< boxes found; who has more to measure, gathers nothing
+  static constexpr FloatBox kNowhere{{1, 1, 1}, {-1, -1, -1}};
+  using Items = std::array<std::uint32_t, GatheredBoxes::kMost * BoxNode::kWidth>;
 
-  void remember(const BoundingTree& tree, const FloatBox& place) noexcept {
-    known_ = place;
-    nodes_ = tree.copyNear(known_, node_);
+  const GatheredBoxes& known() const noexcept { return gathered_[now_]; }
+
+  /// Gathers what lies ahead: a little of it, or where the query is outside of what is known, all. Returns whether the
+  /// query is within what is known now.
+  template <typename Remembered>
+  [[gnu::noinline]] bool lookAhead(const BoundingTree& tree, const FloatBox& query, const Vector3& p_W, double reach,
+                                   const Ahead& ahead, Remembered&& remembered) noexcept {
+    const bool isInside = known().place().holds(query);
+    const bool isBusy = isInside && (founds_ > kBusy || !known().fits());
+    if (!(ahead.margin > 0) || isBusy) return isInside && known().fits();
+    const std::size_t nodes = isInside ? kNodesAtOnce : std::numeric_limits<std::size_t>::max();
+    GatheredBoxes& next = gathered_[1 - now_];
+    if (!isGathering_ || !(isInside || next.place().holds(query))) begin(tree, p_W, reach, ahead);
+    next.goOn(tree, nodes, remembered);
+    if (next.isComplete() && !next.fits() && !isSmall_) {
+      begin(tree, p_W, reach, {ahead.margin});
+      next.goOn(tree, nodes, remembered);
+    }
+    if (next.isComplete()) {
+      now_ = 1 - now_;
+      isGathering_ = false;
+      inner_ = known().fits() ? innerNext_ : kNowhere;
+    }
+    return known().fits() && known().place().holds(query);
   }
 
-  template <typename Visit>
-  void forEachRemembered(Visit&& visit) const noexcept {
-    for (std::size_t i = 0; i < nodes_.value_or(0); ++i) {
-      for (const std::uint32_t child : node_[i].child) {
-        if (child != BoxNode::kNone) visit(child & ~BoxNode::kItemFlag);
-      }
-    }
+  void begin(const BoundingTree& tree, const Vector3& p_W, double reach, const Ahead& ahead) noexcept {
+    constexpr double kInner = 0.75;
+    gathered_[1 - now_].start(tree, tree.along(p_W, p_W + ahead.way, reach + ahead.margin));
+    innerNext_ = tree.along(p_W, p_W + kInner * ahead.way, reach + kInner * ahead.margin);
+    isGathering_ = true;
+    isSmall_ = ahead.way.isZero(0);
   }
 
   /// Mostly the same ones as the last time: then nothing is written, and who reads them need not wait until it is
@@ -67,21 +86,26 @@ class RememberedBoxes {
   void findRemembered(const FloatBox& query) noexcept {
     Items found;
     std::size_t founds = 0;
-    for (std::size_t i = 0; i < *nodes_; ++i) {
-      const unsigned bits = node_[i].touching(query);
+    for (const BoxNode& node : known().nodes()) {
+      const unsigned bits = node.touching(query);
       for (std::size_t k = 0; k < BoxNode::kWidth; ++k) {  // without a branch: what is touched cannot be foreseen
-        found[founds] = node_[i].child[k] & ~BoxNode::kItemFlag;
+        found[founds] = node.child[k] & ~BoxNode::kItemFlag;
         founds += bits >> k & 1;
       }
     }
-    if (std::equal(found.begin(), found.begin() + founds, found_.begin(), found_.begin() + founds_)) return;
+    bool isSame = founds == founds_;
+    for (std::size_t i = 0; isSame && i < founds; ++i) isSame = found[i] == found_[i];
+    if (isSame) return;
     std::copy(found.begin(), found.begin() + founds, found_.begin());
     founds_ = founds;
   }
 
-  FloatBox known_{{1, 1, 1}, {-1, -1, -1}};  ///< all boxes that touch it are in node_; at first, none
-  std::optional<std::size_t> nodes_;         ///< so many; nothing where the boxes are too many to be remembered
-  std::array<BoxNode, kMost> node_{};
+  FloatBox inner_ = kNowhere;  ///< while a query is within it, there is nothing to gather
+  FloatBox innerNext_ = kNowhere;
+  std::array<GatheredBoxes, 2> gathered_;
+  std::size_t now_ = 0;  ///< which of them is known; the other one is being gathered
+  bool isGathering_ = false;
+  bool isSmall_ = false;  ///< what is gathered is around a place, and not on a way
   Items found_{};
   std::size_t founds_ = 0;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "haptics/planes/NearestCorner.h"
 #include "haptics/planes/PlaneShares.h"
@@ -55,6 +56,12 @@ struct HalfSpaces {
   [[gnu::always_inline]] inline bool measureFrom(const Vector3& p) noexcept;
   /// The nearest point on all of these planes, from p.
   [[gnu::always_inline]] inline std::optional<Vector3> meetingOf(PlaneSet planes) const noexcept;
+  /// Of three, two that are almost parallel share, and yet only one of them is reached.
+  std::optional<Vector3> meetingWithoutLeast(std::size_t i, std::size_t j, std::size_t k) const noexcept {
+    if (share[j] < share[i]) std::swap(i, j);
+    if (share[k] < share[i]) std::swap(i, k);
+    return nearestOnEdge(normal[j], missing_[j], normal[k], missing_[k]);
+  }
   [[gnu::always_inline]] inline bool allHold(const Vector3& y) const noexcept;
   std::size_t size() const noexcept { return static_cast<std::size_t>(count); }
 
@@ -106,7 +113,8 @@ std::optional<Vector3> HalfSpaces<Capacity>::meetingOf(PlaneSet planes) const no
     }
     case 3: {
       const auto [i, j, k] = membersOf<3>(planes);
-      return nearestInCorner(normal[i], missing_[i], normal[j], missing_[j], normal[k], missing_[k]);
+      const auto corner = nearestInCorner(normal[i], missing_[i], normal[j], missing_[j], normal[k], missing_[k]);
+      return corner ? corner : meetingWithoutLeast(i, j, k);
     }
     default:
       return std::nullopt;

@@ -89,22 +89,22 @@ std::optional<PlaneShares::Settled> PlaneShares::shareAmong(PlaneSet& guess) noe
     asked[k] = missing_[of[k]];
   }
   const PushingPlanes<Size> planes(normals, kGive);
-  const auto first = planes.roughShares(asked), second = planes.shares(asked);
+  const auto pushingBy = [&](const typename PushingPlanes<Size>::Each& shares, Vector3& way) {
+    PlaneSet pushing = 0;
+    for (std::size_t k = 0; k < Size; ++k) {
+      way += shares[k] * normals[k];
+      pushing |= static_cast<PlaneSet>(shares[k] > 0) << of[k];
+    }
+    return normal_.size() > Size ? pushing | (pushingAt(way) & ~guess) : pushing;
+  };
   Vector3 firstWay = Vector3::Zero(), way = Vector3::Zero();
-  PlaneSet pushingFirst = 0, pushing = 0;
-  for (std::size_t k = 0; k < Size; ++k) {
-    firstWay += first[k] * normals[k];
-    way += second[k] * normals[k];
-    pushingFirst |= static_cast<PlaneSet>(first[k] > 0) << of[k];
-    pushing |= static_cast<PlaneSet>(second[k] > 0) << of[k];
+  const PlaneSet pushingFirst = pushingBy(planes.roughShares(asked), firstWay);
+  if (pushingFirst != guess) {
+    guess = pushingFirst;
+    return std::nullopt;
   }
-  if (normal_.size() > Size) {
-    pushingFirst |= pushingAt(firstWay) & ~guess;
-    pushing |= pushingAt(way) & ~guess;
-  }
-  const bool isRight = pushingFirst == guess && pushing == guess;
-  guess = pushingFirst;
-  if (!isRight) return std::nullopt;
+  const auto second = planes.shares(asked);
+  if (pushingBy(second, way) != guess) return std::nullopt;
   const auto squares = planes.squaresOf(second);
   const double longer = stretchOf(squares.shares, squares.way);
   for (std::size_t k = 0; k < Size; ++k) share_[of[k]] = longer * second[k];

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -56,6 +57,25 @@ TEST(RememberedBoxes, TellsWhatItRemembersAnew) {
     p += step;
   }
   EXPECT_GT(told.size(), 20U);
+}
+
+/// Who goes on slowly is never kept waiting until all that lies ahead has been found.
+TEST(RememberedBoxes, RemembersALittleInEachCall) {
+  constexpr std::uint32_t kBoxes = 4096;
+  std::vector<Bounds> row;
+  for (std::uint32_t i = 0; i < kBoxes; ++i) row.push_back({{1.0 * i, 0, 0}, {i + 0.9, 1, 1}});
+  const BoundingTree tree(row);
+  RememberedBoxes boxes;
+  std::size_t most = 0, all = 0;
+  for (int tick = 0; tick < 20'000; ++tick) {
+    std::size_t told = 0;
+    boxes.forEachNear(
+        tree, {0.05 * tick, 0.5, 0.5}, 0.1, {2.5, {6, 0, 0}}, [](std::uint32_t) {}, [&](std::uint32_t) { ++told; });
+    if (tick > 0) most = std::max(most, told);
+    all += told;
+  }
+  EXPECT_GT(all, 1000U);
+  EXPECT_LE(most, BoxNode::kWidth);
 }
 
 TEST(RememberedBoxes, ForgetsOneTreeForAnother) {
