@@ -7,9 +7,9 @@
 #include <QTimer>
 #include <stdexcept>
 
+#include "app/editor/LiveCompilation.h"
 #include "app/editor/Selection.h"
 #include "app/view/picture/PictureDecoder.h"
-#include "scenegraph/judging/SceneJudge.h"
 
 namespace haptiv {
 namespace {
@@ -26,58 +26,15 @@ constexpr char kEmptyScene[] =
 
 struct SceneDocument::Parts {
   SceneFile file;
-  SceneCompiler compiler;
-  CompiledScene compiled;
-  Diagnostics diagnostics;
-  DeviceDescription device;  ///< on which the scene is judged ...
-  std::string deviceName;    ///< ... under this name or path
-  double rate = 1000;        ///< ... at so many ticks a second [Hz]
+  LiveCompilation compilation;
   Selection selection;
   QUndoStack undoStack;
-  bool isChanged = false;    ///< sceneChanged is still to be emitted
-  bool isToCompile = false;  ///< the graph is newer than its compilation ...
-  bool isToJudge = false;    ///< ... and this newer than its judgement
-  bool isValid = false;      ///< the last compilation has a scene of its own
+  bool isChanged = false;  ///< sceneChanged is still to be emitted
   bool isFlushPending = false;
-
-  void compile() {
-    CompiledScene next = compiler.compile(file);
-    isValid = next.scene != nullptr;
-    if (!isValid) next.scene = compiled.scene;
-    compiled = std::move(next);
-    isToCompile = false;
-    isToJudge = true;
-  }
-
-  void judge() {
-    if (!isToJudge) return;
-    const Diagnostics judgement = isValid ? judge(compiled) : Diagnostics();
-    diagnostics = file.diagnostics;
-    diagnostics.insert(diagnostics.end(), compiled.diagnostics.begin(), compiled.diagnostics.end());
-    diagnostics.insert(diagnostics.end(), judgement.begin(), judgement.end());
-    sortByPlace(diagnostics);
-    isToJudge = false;
-  }
-
-  // Called while a handle is dragged: the description is read only when it is another.
-  Diagnostics judge(const CompiledScene& next) {
-    Diagnostics found;
-    try {
-      if (deviceName != next.scene->device.description) {
-        device = loadDeviceDescription(next.scene->device.description, file.path);
-        deviceName = next.scene->device.description;
-      }
-      found = judgeScene({*next.scene, next.origins, device, rate});
-    } catch (const std::exception& error) {
-      found.push_back({Diagnostic::Severity::error, {}, 0, "HapticDevice", error.what(), next.origins.device});
-    }
-    for (Diagnostic& each : found) locate(each, file);
-    return found;
-  }
 };
 
 SceneDocument::SceneDocument(QObject* parent) : QObject(parent), parts_(std::make_unique<Parts>()) {
-  parts_->compiler.setProgress([this](std::size_t shapes, std::size_t triangles) {
+  parts_->compilation.setProgress([this](std::size_t shapes, std::size_t triangles) {
     emit compiling(static_cast<int>(shapes), static_cast<int>(triangles));
   });
   connect(&parts_->undoStack, &QUndoStack::cleanChanged, this, [this](bool clean) { emit modifiedChanged(!clean); });
@@ -92,7 +49,7 @@ SceneDocument::~SceneDocument() {
 bool SceneDocument::open(const QString& path) {
   SceneFile file = readScene(path.toStdString(), pictureDecoder());
   if (!file.root || hasErrors(file.diagnostics)) {
-    parts_->diagnostics = std::move(file.diagnostics);
+    parts_->compilation.setDiagnostics(std::move(file.diagnostics));
     emit diagnosticsChanged();
     return false;
   }
@@ -122,31 +79,27 @@ void SceneDocument::replaceBy(SceneFile file) {
   parts_->undoStack.clear();
   parts_->undoStack.setClean();
   parts_->file = std::move(file);
-  parts_->compiled = {};
-  parts_->deviceName.clear();  // the file of the same name may have changed
-  parts_->compile();
-  parts_->judge();
+  parts_->compilation.replaceBy(parts_->file);
   emit sceneReplaced();
   emit selectionChanged();
   emit modifiedChanged(false);
   emit diagnosticsChanged();
-  noteChange();
-  parts_->isToCompile = false;
+  announceSoon();
 }
 
 void SceneDocument::save(const QString& path) {
   releaseHandles();
   saveScene(parts_->file.root.get(), path.toStdString());
   parts_->file.path = path.toStdString();
-  parts_->deviceName.clear();   // names of files are relative to the scene's folder
-  parts_->file.lineOf.clear();  // the saved text has lines of its own
+  parts_->compilation.forgetDevice();  // names of files are relative to the scene's folder
+  parts_->file.lineOf.clear();         // the saved text has lines of its own
   const bool wasClean = parts_->undoStack.isClean();
   parts_->undoStack.setClean();
   if (wasClean) emit modifiedChanged(false);  // the path may be another one
 }
 
 void SceneDocument::judgeAt(double rate) {
-  parts_->rate = rate;
+  parts_->compilation.setRate(rate);
   noteChange();
 }
 
@@ -172,22 +125,22 @@ QUndoStack& SceneDocument::undoStack() {
 }
 
 const CompiledScene& SceneDocument::compiled() const {
-  return parts_->compiled;
+  return parts_->compilation.compiled();
 }
 
 const CompiledScene& SceneDocument::compileNow() {
   releaseHandles();
-  if (parts_->isToCompile) parts_->compile();
-  parts_->judge();
-  return parts_->compiled;
+  parts_->compilation.compile(parts_->file);
+  parts_->compilation.judge(parts_->file);
+  return parts_->compilation.compiled();
 }
 
 const DeviceDescription& SceneDocument::device() const {
-  return parts_->device;
+  return parts_->compilation.device();
 }
 
 const Diagnostics& SceneDocument::diagnostics() const {
-  return parts_->diagnostics;
+  return parts_->compilation.diagnostics();
 }
 
 const SoPath* SceneDocument::selection() const {
@@ -207,8 +160,12 @@ void SceneDocument::releaseHandles() {
 }
 
 void SceneDocument::noteChange() {
+  parts_->compilation.outdate();
+  announceSoon();
+}
+
+void SceneDocument::announceSoon() {
   parts_->isChanged = true;
-  parts_->isToCompile = true;
   if (parts_->isFlushPending) return;
   parts_->isFlushPending = true;
   QTimer::singleShot(0, this, &SceneDocument::flush);
@@ -218,9 +175,9 @@ void SceneDocument::flush() {
   parts_->isFlushPending = false;
   if (!parts_->isChanged) return;
   parts_->isChanged = false;
-  if (parts_->isToCompile) parts_->compile();
+  parts_->compilation.compile(parts_->file);
   emit sceneReady();
-  parts_->judge();
+  parts_->compilation.judge(parts_->file);
   if (!parts_->selection.isEmpty() && !selection()) {
     parts_->selection.set(nullptr);
     emit selectionChanged();

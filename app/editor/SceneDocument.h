@@ -77,6 +77,7 @@ class SceneDocument : public QObject {
 
  private:
   void replaceBy(SceneFile file);
+  void announceSoon();
   void flush();
 
   struct Parts;
