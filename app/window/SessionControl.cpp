@@ -1,7 +1,5 @@
 #include "app/window/SessionControl.h"
 
-#include <QApplication>
-#include <QElapsedTimer>
 #include <QTimer>
 #include <exception>
 
@@ -10,23 +8,16 @@
 #include "app/session/UsbBoards.h"
 #include "app/session/hands/SpaceMouseOperator.h"
 #include "app/window/LogFolder.h"
+#include "app/window/ScenePublisher.h"
 
 namespace haptiv {
-namespace {
-
-constexpr int kSlowText = 8;        // [ms], half a graphics frame
-constexpr int kPauseForText = 300;  // [ms] without an edit
-/// So many shapes may wait to be logged, or one scene: of a scene of a hundred thousand walls the log takes a second.
-constexpr std::size_t kMostToLog = 100000;
-constexpr int kPauseForLog = 20;  // [ms] until the log is asked again
-
-}  // namespace
 
 struct SessionControl::Parts {
-  explicit Parts(SceneDocument& document_) : document(document_) {}
+  explicit Parts(SceneDocument& document_) : document(document_), publisher(document_) {}
 
   SceneDocument& document;
   std::unique_ptr<Session> session;
+  ScenePublisher publisher;  // to the session
   Scheduling scheduling;
   double rate = SessionSetup{}.rate;
   DeviceDescription description;
@@ -39,37 +30,7 @@ struct SessionControl::Parts {
   std::uint16_t keys = 0;                          // pressed at the keyboard
   QString logPath;
   QString toldTrouble;
-  SharedText text;          // of the scene as it was when the last command had been done
-  bool isTextSlow = false;  // to be written: what is edited is felt before it is
-  QTimer textPause;
-  QTimer logPause;
   QTimer display;
-
-  void takeText() {
-    QElapsedTimer timer;
-    timer.start();
-    text = document.text();
-    isTextSlow = timer.elapsed() > kSlowText;
-    textPause.stop();
-  }
-
-  /// While a large scene is dragged, more versions are made than the log can take: the servo gets the newest as soon as
-  /// there is room for it. An edit by itself is felt at once.
-  void publish() {
-    if (session && session->shapesToLog() > kMostToLog) return logPause.start();
-    publishAtOnce();
-  }
-
-  void publishAtOnce() {
-    logPause.stop();
-    if (session && !hasErrors(document.compiled().diagnostics)) session->publish(document.compiled().scene, text);
-  }
-
-  /// Gives the log the text of the scene that is felt already, as that of a new version.
-  void takeLateText() {
-    takeText();
-    document.noteChange();
-  }
 
   void lead(const TickRecord& newest) {
     if (!spaceMouse) return;
@@ -87,14 +48,15 @@ struct SessionControl::Parts {
     if (handInput)
       spaceMouse = std::make_unique<SpaceMouseOperator>(*handInput, chosen.description, chosen.scene->device);
     session = std::make_unique<Session>(chosen);
+    publisher.follow(*session);
     scheduling = session->scheduling();
   }
 
   SessionSetup setup() {
     SessionSetup setup;
+    setup.sceneText = publisher.takeText();
     setup.scene = withControl(withResolution(document.compiled().scene, resolution), control);
     setup.sceneName = document.path().toStdString();
-    setup.sceneText = text;
     setup.description = description = loadDeviceDescription(setup.scene->device.description, setup.sceneName);
     setup.rate = rate;
     setup.liveHand = true;
@@ -117,26 +79,6 @@ SessionControl::SessionControl(SceneDocument& document, QObject* parent)
     const QString trouble = QString::fromStdString(parts_->session->logTrouble());
     if (trouble != parts_->toldTrouble) emit troubled(parts_->toldTrouble = trouble);
   });
-  // The text is taken only where a command is complete: while a handle is dragged, many scenes share one. That of a
-  // scene with large meshes takes its time; it is taken when the user pauses.
-  parts_->textPause.setSingleShot(true);
-  parts_->textPause.setInterval(kPauseForText);
-  connect(&document.undoStack(), &QUndoStack::indexChanged, this, [this] {
-    if (!isRunning()) return;
-    if (parts_->isTextSlow) {
-      parts_->textPause.start();
-    } else {
-      parts_->takeText();
-    }
-  });
-  connect(&parts_->textPause, &QTimer::timeout, this, [this] {
-    if (QApplication::mouseButtons() != Qt::NoButton) return parts_->textPause.start();  // a handle may be held
-    if (isRunning()) parts_->takeLateText();
-  });
-  parts_->logPause.setSingleShot(true);
-  parts_->logPause.setInterval(kPauseForLog);
-  connect(&parts_->logPause, &QTimer::timeout, this, [this] { parts_->publish(); });
-  connect(&document, &SceneDocument::sceneReady, this, [this] { parts_->publish(); });
 }
 
 SessionControl::~SessionControl() = default;
@@ -214,7 +156,6 @@ std::optional<DeviceDescription> SessionControl::descriptionNeeded() {
 void SessionControl::startWith(std::unique_ptr<HapticDevice> device) {
   if (isRunning() || !descriptionNeeded()) return;
   try {
-    parts_->takeText();
     parts_->logPath = newLogPath(parts_->document.path());
     parts_->open(std::move(device));
   } catch (const std::exception& error) {
@@ -229,12 +170,7 @@ void SessionControl::startWith(std::unique_ptr<HapticDevice> device) {
 
 void SessionControl::stop() {
   if (!isRunning()) return;
-  if (parts_->textPause.isActive()) {
-    parts_->takeLateText();
-    parts_->document.compileNow();
-    parts_->publishAtOnce();
-  }
-  parts_->logPause.stop();
+  parts_->publisher.finish();
   parts_->display.stop();
   const SessionSummary summary = parts_->session->stop();
   parts_->session.reset();
