@@ -3,7 +3,7 @@
 #include "app/bench/ArmOnFloor.h"
 #include "app/bench/Benches.h"
 #include "app/bench/TemporaryFile.h"
-#include "app/session/log/SessionLogWriter.h"
+#include "app/session/log/writing/SessionLogWriter.h"
 #include "haptics/servo/FastLoop.h"
 
 namespace haptiv {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "app/session/UtcTime.h"
+#include "app/session/log/writing/SessionLogWriter.h"
 
 namespace haptiv {
 namespace {

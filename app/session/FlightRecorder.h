@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/session/SharedText.h"
-#include "app/session/log/SessionLogWriter.h"
+#include "app/session/log/contents/SessionHeader.h"
 #include "haptics/scene/HapticScene.h"
 #include "haptics/tick/TickRecord.h"
 

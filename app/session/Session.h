@@ -10,7 +10,6 @@
 
 #include "app/session/SharedText.h"
 #include "app/session/hands/HandFile.h"
-#include "app/session/log/SessionLogWriter.h"
 #include "haptics/scene/HapticScene.h"
 #include "haptics/servo/ServoLoop.h"
 

@@ -9,6 +9,7 @@
 
 #include "app/session/FlightRecorder.h"
 #include "app/session/Session.h"
+#include "app/session/log/writing/SessionLogWriter.h"
 #include "haptics/realtime/RecordRing.h"
 
 namespace haptiv {

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "app/session/SessionRecorder.h"
+#include "app/session/log/writing/SessionLogWriter.h"
 #include "haptics/servo/FastLoop.h"
 #include "haptics/servo/ServoLoop.h"
 #include "tests/faults/FaultChain.h"

@@ -6,9 +6,10 @@
 
 #include "app/session/Resimulation.h"
 #include "app/session/SessionRecorder.h"
-#include "app/session/log/Hdf5Table.h"
-#include "app/session/log/LogExport.h"
-#include "app/session/log/TickColumns.h"
+#include "app/session/log/contents/TickColumns.h"
+#include "app/session/log/hdf5/Hdf5Table.h"
+#include "app/session/log/reading/LogExport.h"
+#include "app/session/log/writing/SessionLogWriter.h"
 #include "tests/session/SessionFixtures.h"
 
 namespace haptiv {

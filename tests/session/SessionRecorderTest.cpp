@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "app/session/log/writing/SessionLogWriter.h"
 #include "tests/session/SessionFixtures.h"
 
 namespace haptiv {

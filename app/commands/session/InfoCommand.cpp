@@ -9,7 +9,7 @@
 #include "app/commands/session/SessionReport.h"
 #include "app/session/SceneControl.h"
 #include "app/session/SceneResolution.h"
-#include "app/session/log/SessionLog.h"
+#include "app/session/log/reading/SessionLog.h"
 #include "device/DeviceDescription.h"
 
 namespace haptiv {

@@ -1,4 +1,4 @@
-#include "app/session/log/Hdf5Table.h"
+#include "app/session/log/hdf5/Hdf5Table.h"
 
 #include <algorithm>
 #include <array>

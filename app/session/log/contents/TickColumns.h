@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/log/Hdf5Table.h"
+#include "app/session/log/hdf5/Hdf5Table.h"
 #include "haptics/tick/TickRecord.h"
 
 namespace haptiv {

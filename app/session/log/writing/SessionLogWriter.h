@@ -7,24 +7,11 @@
 #include <span>
 #include <string>
 
+#include "app/session/log/contents/SessionHeader.h"
 #include "haptics/scene/HapticScene.h"
 #include "haptics/tick/TickRecord.h"
 
 namespace haptiv {
-
-/// What stands at the head of a session log.
-struct SessionHeader {
-  std::string sceneName;   ///< path of the scene as the user named it
-  std::string sceneText;   ///< the .iv text at the start
-  std::string deviceText;  ///< the device description, TOML
-  std::string softwareVersion;
-  std::string gitHash;
-  std::string startUtc;    ///< ISO 8601; empty in --fast runs, which have no clock
-  std::string scheduling;  ///< how the servo thread ran
-  std::uint64_t seed = 0;
-  double rate = 1000;  ///< [Hz]
-  std::string fault;   ///< of a flight record: what the session went into; empty: the log is of a whole session
-};
 
 /// Bytes that may still be written to the disk that holds a file.
 std::uint64_t freeSpaceFor(const std::filesystem::path& file);

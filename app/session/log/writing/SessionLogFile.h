@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "app/session/log/Hdf5Table.h"
-#include "app/session/log/SessionEvents.h"
-#include "app/session/log/SessionLogWriter.h"
-#include "app/session/log/TickColumns.h"
+#include "app/session/log/contents/SessionEvents.h"
+#include "app/session/log/contents/TickColumns.h"
+#include "app/session/log/hdf5/Hdf5Table.h"
+#include "app/session/log/writing/SessionLogWriter.h"
 #include "haptics/bytes/SceneBytes.h"
 
 namespace haptiv {

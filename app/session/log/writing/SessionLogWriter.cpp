@@ -1,6 +1,6 @@
-#include "app/session/log/SessionLogWriter.h"
+#include "app/session/log/writing/SessionLogWriter.h"
 
-#include "app/session/log/SessionLogFile.h"
+#include "app/session/log/writing/SessionLogFile.h"
 
 namespace haptiv {
 

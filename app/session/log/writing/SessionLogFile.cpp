@@ -1,9 +1,9 @@
-#include "app/session/log/SessionLogFile.h"
+#include "app/session/log/writing/SessionLogFile.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/session/log/LogLayout.h"
+#include "app/session/log/contents/LogLayout.h"
 #include "haptics/scene/SceneNumbers.h"
 
 namespace haptiv {

@@ -1,4 +1,4 @@
-#include "app/session/log/TickColumns.h"
+#include "app/session/log/contents/TickColumns.h"
 
 #include <cstring>
 

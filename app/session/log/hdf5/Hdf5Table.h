@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/session/log/Hdf5.h"
+#include "app/session/log/hdf5/Hdf5.h"
 
 namespace haptiv::hdf5 {
 

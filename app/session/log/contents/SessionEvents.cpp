@@ -1,4 +1,4 @@
-#include "app/session/log/SessionEvents.h"
+#include "app/session/log/contents/SessionEvents.h"
 
 #include <bit>
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "app/session/log/Hdf5.h"
+#include "app/session/log/hdf5/Hdf5.h"
 
 namespace haptiv::hdf5 {
 namespace {

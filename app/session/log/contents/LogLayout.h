@@ -5,8 +5,7 @@
 /// Names and numbers that writer and reader of a session log share; the columns of /servo are in TickColumns.h.
 ///
 ///   /                  attributes: format, format_version, software_version, git_hash, seed, rate_hz, start_utc,
-///   scheduling, fault (of a
-///                      flight record; empty: none)
+///                      scheduling, fault (of a flight record; empty: none)
 ///   /meta/device_toml  the device description, UTF-8, a byte a row; likewise scene_name and scene_iv
 ///   /meta/end          complete and dropped (one row once the session has ended), reason (text; why it ended early)
 ///   /scenes/index      a row a scene: version, offset and length in /scenes/text, offset and length in /scenes/bytes
@@ -15,7 +14,7 @@
 ///   /events            a row an event: tick, time, kind (index into the attribute kinds), code (a state: index into
 ///                      states; a fault or a trip: index into faults, trips). None in format 1
 ///   /servo/GROUP       a row a tick; attributes: columns, unit (of each column), frame. No device_time_us before
-///   format 3
+///                      format 3
 namespace haptiv::log_layout {
 
 inline constexpr const char* kFormat = "haptiv-session";

@@ -1,4 +1,4 @@
-#include "app/session/log/LogExport.h"
+#include "app/session/log/reading/LogExport.h"
 
 #include <array>
 #include <charconv>
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "app/session/log/TickColumns.h"
+#include "app/session/log/contents/TickColumns.h"
 
 namespace haptiv {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "app/session/log/SessionLog.h"
+#include "app/session/log/reading/SessionLog.h"
 
 namespace haptiv {
 

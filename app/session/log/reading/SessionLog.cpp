@@ -1,11 +1,11 @@
-#include "app/session/log/SessionLog.h"
+#include "app/session/log/reading/SessionLog.h"
 
 #include <array>
 #include <chrono>
 #include <fstream>
 
-#include "app/session/log/LogProbe.h"
-#include "app/session/log/SessionLogReader.h"
+#include "app/session/log/reading/LogProbe.h"
+#include "app/session/log/reading/SessionLogReader.h"
 
 namespace haptiv {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/session/log/LogProbe.h"
+#include "app/session/log/reading/LogProbe.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>

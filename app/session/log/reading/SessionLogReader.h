@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <vector>
 
-#include "app/session/log/Hdf5Table.h"
-#include "app/session/log/SessionLog.h"
-#include "app/session/log/TickColumns.h"
+#include "app/session/log/contents/TickColumns.h"
+#include "app/session/log/hdf5/Hdf5Table.h"
+#include "app/session/log/reading/SessionLog.h"
 
 namespace haptiv {
 

@@ -1,10 +1,10 @@
-#include "app/session/log/SessionLogReader.h"
+#include "app/session/log/reading/SessionLogReader.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "app/session/log/LogLayout.h"
+#include "app/session/log/contents/LogLayout.h"
 #include "haptics/bytes/SceneBytes.h"
 
 namespace haptiv {

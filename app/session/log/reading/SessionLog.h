@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/session/log/SessionEvents.h"
-#include "app/session/log/SessionLogWriter.h"
+#include "app/session/log/contents/SessionEvents.h"
+#include "app/session/log/contents/SessionHeader.h"
 #include "haptics/scene/HapticScene.h"
 #include "haptics/tick/TickRecord.h"
 

@@ -1,4 +1,4 @@
-#include "app/session/log/Hdf5.h"
+#include "app/session/log/hdf5/Hdf5.h"
 
 #include <sys/mman.h>
 #include <unistd.h>
