@@ -3,9 +3,9 @@
 #include <QTimer>
 #include <exception>
 
-#include "app/session/SceneControl.h"
-#include "app/session/SceneResolution.h"
 #include "app/session/UsbBoards.h"
+#include "app/session/choices/SceneControl.h"
+#include "app/session/choices/SceneResolution.h"
 #include "app/session/hands/SpaceMouseOperator.h"
 #include "app/window/LogFolder.h"
 #include "app/window/ScenePublisher.h"

@@ -110,6 +110,10 @@ TEST(Layers, WhatALogHoldsIsKnownByWriterAndReaderAlike) {
   expectNoInclude("app/session/log/reading", "^app/session/log/writing/");
 }
 
+TEST(Layers, WhatIsKeptOfASessionIsKeptWithoutKnowingIt) {
+  expectNoInclude("app/session/recording", "^app/session/(?!recording/|log/)");
+}
+
 TEST(Layers, LibusbStaysInTheUsbTransport) {
   expectNoInclude("device", kLibusb, "^device/usb/");
   for (const char* folder : {"haptics", "scenegraph", "app"}) expectNoInclude(folder, kLibusb);

@@ -1,4 +1,4 @@
-#include "app/session/SessionRecorder.h"
+#include "app/session/recording/SessionRecorder.h"
 
 #include <gmock/gmock.h>
 

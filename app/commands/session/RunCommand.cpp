@@ -11,9 +11,9 @@
 #include "app/commands/session/RunPeople.h"
 #include "app/commands/session/RunSetup.h"
 #include "app/commands/session/SessionReport.h"
-#include "app/session/SceneControl.h"
-#include "app/session/SceneResolution.h"
 #include "app/session/Session.h"
+#include "app/session/choices/SceneControl.h"
+#include "app/session/choices/SceneResolution.h"
 
 namespace haptiv {
 namespace {

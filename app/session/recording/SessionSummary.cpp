@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "app/session/recording/SessionSummary.h"
 
-#include "app/session/Session.h"
+#include <algorithm>
 
 namespace haptiv {
 

@@ -1,4 +1,4 @@
-#include "app/session/SceneResolution.h"
+#include "app/session/choices/SceneResolution.h"
 
 #include <stdexcept>
 #include <utility>

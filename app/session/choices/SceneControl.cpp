@@ -1,4 +1,4 @@
-#include "app/session/SceneControl.h"
+#include "app/session/choices/SceneControl.h"
 
 #include <stdexcept>
 #include <utility>

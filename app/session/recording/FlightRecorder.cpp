@@ -1,4 +1,4 @@
-#include "app/session/FlightRecorder.h"
+#include "app/session/recording/FlightRecorder.h"
 
 #include <algorithm>
 #include <cctype>
@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "app/session/UtcTime.h"
 #include "app/session/log/writing/SessionLogWriter.h"
+#include "app/session/recording/UtcTime.h"
 
 namespace haptiv {
 namespace {

@@ -7,9 +7,10 @@
 #include <thread>
 #include <vector>
 
-#include "app/session/FlightRecorder.h"
-#include "app/session/Session.h"
 #include "app/session/log/writing/SessionLogWriter.h"
+#include "app/session/recording/FlightRecorder.h"
+#include "app/session/recording/SessionSummary.h"
+#include "app/session/recording/SharedText.h"
 #include "haptics/realtime/RecordRing.h"
 
 namespace haptiv {

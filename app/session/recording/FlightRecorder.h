@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/session/SharedText.h"
 #include "app/session/log/contents/SessionHeader.h"
+#include "app/session/recording/SharedText.h"
 #include "haptics/scene/HapticScene.h"
 #include "haptics/tick/TickRecord.h"
 
