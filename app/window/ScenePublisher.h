@@ -3,7 +3,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "app/editor/SceneDocument.h"
+#include "app/editor/document/SceneDocument.h"
 #include "app/session/Session.h"
 
 namespace haptiv {

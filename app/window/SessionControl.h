@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/editor/SceneDocument.h"
+#include "app/editor/document/SceneDocument.h"
 #include "app/session/Session.h"
 #include "app/window/operator/HandMenu.h"
 #include "device/types.h"

@@ -132,6 +132,12 @@ TEST(Layers, TheSceneViewKnowsNothingOfEditorReplayAndWindow) {
 TEST(Layers, TheEditorKnowsNothingOfSessionsAndReplay) {
   expectNoInclude("app/editor", "^app/(session|replay|window)/");
 }
+TEST(Layers, TheEditedDocumentKnowsNothingOfWhatEditsIt) {
+  for (const std::string room : {"document", "items"})
+    expectNoInclude("app/editor/" + room, "^app/editor/(?!" + room + "/)");
+  expectNoInclude("app/editor/commands", "^app/editor/(edits|panels|handles)/");
+  expectNoInclude("app/editor/edits", "^app/editor/(panels|handles)/");
+}
 TEST(Layers, FiguresKnowNothingOfWhatTheyShow) {
   expectNoInclude("app/figures", "^(device|haptics|scenegraph)/|^app/(?!figures/)");
 }

@@ -1,4 +1,4 @@
-#include "app/editor/ShapeFrame.h"
+#include "app/editor/edits/ShapeFrame.h"
 
 #include <Inventor/SbViewportRegion.h>
 #include <Inventor/actions/SoGetMatrixAction.h>
@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-#include "app/editor/ShapeUnit.h"
+#include "app/editor/items/ShapeUnit.h"
 
 namespace haptiv {
 namespace {

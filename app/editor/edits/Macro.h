@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/editor/SceneDocument.h"
+#include "app/editor/document/SceneDocument.h"
 
 namespace haptiv {
 

@@ -1,4 +1,4 @@
-#include "app/editor/SceneDocument.h"
+#include "app/editor/document/SceneDocument.h"
 
 #include <Inventor/SoDB.h>
 #include <Inventor/SoPath.h>
@@ -7,8 +7,8 @@
 #include <QTimer>
 #include <stdexcept>
 
-#include "app/editor/LiveCompilation.h"
-#include "app/editor/Selection.h"
+#include "app/editor/document/LiveCompilation.h"
+#include "app/editor/document/Selection.h"
 #include "app/view/picture/PictureDecoder.h"
 
 namespace haptiv {

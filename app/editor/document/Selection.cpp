@@ -1,4 +1,4 @@
-#include "app/editor/Selection.h"
+#include "app/editor/document/Selection.h"
 
 #include <Inventor/SoPath.h>
 #include <Inventor/actions/SoSearchAction.h>

@@ -1,4 +1,4 @@
-#include "app/editor/ShapeUnit.h"
+#include "app/editor/items/ShapeUnit.h"
 
 #include <Inventor/actions/SoSearchAction.h>
 #include <Inventor/nodes/SoCamera.h>
@@ -7,7 +7,7 @@
 #include <Inventor/nodes/SoShape.h>
 #include <Inventor/nodes/SoTransform.h>
 
-#include "app/editor/SceneItems.h"
+#include "app/editor/items/SceneItems.h"
 
 namespace haptiv {
 namespace {

@@ -3,11 +3,11 @@
 
 #include <QRegularExpression>
 
-#include "app/editor/Edits.h"
-#include "app/editor/Macro.h"
-#include "app/editor/ShapeUnit.h"
 #include "app/editor/commands/InsertNode.h"
-#include "app/editor/handles/Grid.h"
+#include "app/editor/edits/Edits.h"
+#include "app/editor/edits/Grid.h"
+#include "app/editor/edits/Macro.h"
+#include "app/editor/items/ShapeUnit.h"
 
 namespace haptiv {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/editor/SceneItems.h"
+#include "app/editor/items/SceneItems.h"
 
 namespace haptiv {
 

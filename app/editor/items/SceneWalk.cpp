@@ -1,4 +1,4 @@
-#include "app/editor/SceneWalk.h"
+#include "app/editor/items/SceneWalk.h"
 
 #include <Inventor/VRMLnodes/SoVRMLGroup.h>
 #include <Inventor/VRMLnodes/SoVRMLLOD.h>
@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-#include "app/editor/NodeRoles.h"
+#include "app/editor/items/NodeRoles.h"
 #include "scenegraph/nodes/SoHapticNone.h"
 #include "scenegraph/nodes/SoHapticRubberBand.h"
 #include "scenegraph/nodes/SoHapticSurface.h"

@@ -1,4 +1,4 @@
-#include "app/editor/NodeRoles.h"
+#include "app/editor/items/NodeRoles.h"
 
 #include <Inventor/VRMLnodes/SoVRMLShape.h>
 #include <Inventor/nodes/SoBaseColor.h>

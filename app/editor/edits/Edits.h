@@ -2,11 +2,11 @@
 
 #include <functional>
 
-#include "app/editor/SceneDocument.h"
-#include "app/editor/SceneItems.h"
-#include "app/editor/ShapeFrame.h"
 #include "app/editor/commands/FieldValue.h"
 #include "app/editor/commands/SceneCommand.h"
+#include "app/editor/document/SceneDocument.h"
+#include "app/editor/edits/ShapeFrame.h"
+#include "app/editor/items/SceneItems.h"
 
 namespace haptiv {
 

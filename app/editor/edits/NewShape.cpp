@@ -1,4 +1,4 @@
-#include "app/editor/NewShape.h"
+#include "app/editor/edits/NewShape.h"
 
 #include <Inventor/fields/SoSFFloat.h>
 #include <Inventor/fields/SoSFString.h>
@@ -12,7 +12,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "app/editor/handles/Grid.h"
+#include "app/editor/edits/Grid.h"
 #include "scenegraph/judging/ContactDynamics.h"
 
 namespace haptiv {

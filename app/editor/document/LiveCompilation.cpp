@@ -1,4 +1,4 @@
-#include "app/editor/LiveCompilation.h"
+#include "app/editor/document/LiveCompilation.h"
 
 #include <exception>
 #include <utility>

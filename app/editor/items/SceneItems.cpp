@@ -1,11 +1,11 @@
-#include "app/editor/SceneItems.h"
+#include "app/editor/items/SceneItems.h"
 
 #include <Inventor/nodes/SoGroup.h>
 
 #include <QHash>
 #include <algorithm>
 
-#include "app/editor/SceneWalk.h"
+#include "app/editor/items/SceneWalk.h"
 
 namespace haptiv {
 namespace {

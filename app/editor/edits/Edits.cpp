@@ -1,16 +1,16 @@
-#include "app/editor/Edits.h"
+#include "app/editor/edits/Edits.h"
 
 #include <Inventor/nodes/SoSeparator.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "app/editor/Macro.h"
-#include "app/editor/NewShape.h"
-#include "app/editor/ShapeUnit.h"
 #include "app/editor/commands/InsertNode.h"
 #include "app/editor/commands/RemoveNode.h"
 #include "app/editor/commands/SetField.h"
+#include "app/editor/edits/Macro.h"
+#include "app/editor/edits/NewShape.h"
+#include "app/editor/items/ShapeUnit.h"
 #include "scenegraph/MakeSolid.h"
 
 namespace haptiv {
