@@ -1,4 +1,4 @@
-#include "app/window/ScenePublisher.h"
+#include "app/window/session/ScenePublisher.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

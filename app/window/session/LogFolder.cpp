@@ -1,4 +1,4 @@
-#include "app/window/LogFolder.h"
+#include "app/window/session/LogFolder.h"
 
 #include <QDateTime>
 #include <QDir>

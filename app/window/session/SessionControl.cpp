@@ -1,4 +1,4 @@
-#include "app/window/SessionControl.h"
+#include "app/window/session/SessionControl.h"
 
 #include <QTimer>
 #include <exception>
@@ -7,8 +7,8 @@
 #include "app/session/choices/SceneControl.h"
 #include "app/session/choices/SceneResolution.h"
 #include "app/session/hands/SpaceMouseOperator.h"
-#include "app/window/LogFolder.h"
-#include "app/window/ScenePublisher.h"
+#include "app/window/session/LogFolder.h"
+#include "app/window/session/ScenePublisher.h"
 
 namespace haptiv {
 

@@ -1,4 +1,4 @@
-#include "app/window/SessionStatus.h"
+#include "app/window/session/SessionStatus.h"
 
 namespace haptiv {
 

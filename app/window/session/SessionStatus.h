@@ -3,7 +3,7 @@
 #include <QLabel>
 #include <QStatusBar>
 
-#include "app/window/SessionControl.h"
+#include "app/window/session/SessionControl.h"
 
 namespace haptiv {
 
