@@ -1,4 +1,4 @@
-#include "app/bench/BareTimer.h"
+#include "app/bench/measuring/BareTimer.h"
 
 #include "haptics/realtime/MonotonicClock.h"
 #include "haptics/realtime/RealtimeThread.h"

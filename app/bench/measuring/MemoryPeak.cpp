@@ -1,4 +1,4 @@
-#include "app/bench/MemoryPeak.h"
+#include "app/bench/measuring/MemoryPeak.h"
 
 #include <malloc.h>
 

@@ -1,4 +1,4 @@
-#include "app/bench/ThreadCounters.h"
+#include "app/bench/measuring/ThreadCounters.h"
 
 #include <sched.h>
 
