@@ -1,8 +1,8 @@
 #include <filesystem>
 
-#include "app/bench/ArmOnFloor.h"
 #include "app/bench/Benches.h"
 #include "app/bench/TemporaryFile.h"
+#include "app/bench/scenes/ArmOnFloor.h"
 #include "app/session/log/writing/SessionLogWriter.h"
 #include "haptics/servo/FastLoop.h"
 

@@ -1,10 +1,10 @@
-#include "app/bench/collision/MeshSphere.h"
+#include "app/bench/scenes/MeshSphere.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
-#include "app/bench/collision/Dice.h"
+#include "app/bench/scenes/Dice.h"
 
 namespace haptiv {
 namespace {

@@ -1,10 +1,10 @@
-#include "app/bench/collision/WallFloor.h"
+#include "app/bench/scenes/WallFloor.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "app/bench/collision/Dice.h"
+#include "app/bench/scenes/Dice.h"
 #include "haptics/shapes/ShapeDistance.h"
 
 namespace haptiv {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/bench/collision/WallFloor.h"
+#include "app/bench/scenes/WallFloor.h"
 #include "device/DeviceDescription.h"
 #include "device/simulated/ScriptedHand.h"
 #include "device/simulated/SimulatedDevice.h"

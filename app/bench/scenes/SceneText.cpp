@@ -1,4 +1,4 @@
-#include "app/bench/SceneText.h"
+#include "app/bench/scenes/SceneText.h"
 
 #include <array>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "app/bench/ArmOnFloor.h"
+#include "app/bench/scenes/ArmOnFloor.h"
 
 #include <cmath>
 
