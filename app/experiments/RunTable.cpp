@@ -1,4 +1,4 @@
-#include "app/experiments/claims/RunTable.h"
+#include "app/experiments/RunTable.h"
 
 #include <algorithm>
 
