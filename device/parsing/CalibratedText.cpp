@@ -1,4 +1,4 @@
-#include "device/calibration/CalibratedText.h"
+#include "device/parsing/CalibratedText.h"
 
 #include <array>
 #include <charconv>
