@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/plots/CalmRange.h"
 #include "app/plots/PlotCanvas.h"
 #include "app/plots/PlotGesture.h"
 #include "app/plots/PlotOverlay.h"
 #include "app/plots/SignalCurve.h"
-#include "app/plots/Signals.h"
-#include "app/plots/TimeWindow.h"
+#include "app/plots/samples/CalmRange.h"
+#include "app/plots/samples/Signals.h"
+#include "app/plots/samples/TimeWindow.h"
 
 namespace haptiv {
 

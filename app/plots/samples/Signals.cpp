@@ -1,10 +1,10 @@
-#include "app/plots/Signals.h"
+#include "app/plots/samples/Signals.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "app/plots/Envelope.h"
+#include "app/plots/samples/Envelope.h"
 
 namespace haptiv {
 

@@ -1,4 +1,4 @@
-#include "app/plots/TimeWindow.h"
+#include "app/plots/samples/TimeWindow.h"
 
 #include <algorithm>
 
