@@ -1,4 +1,4 @@
-#include "device/simulated/plant/SimulatedArm.h"
+#include "device/simulated/SimulatedArm.h"
 
 namespace haptiv {
 namespace {
