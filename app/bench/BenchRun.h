@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/bench/BenchResult.h"
-#include "app/bench/CallTimes.h"
+#include "app/bench/measuring/CallTimes.h"
 #include "app/bench/wall/WallMap.h"
 
 namespace haptiv {

@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "app/bench/Benches.h"
-#include "app/bench/MemoryPeak.h"
-#include "app/bench/SceneText.h"
-#include "app/bench/collision/WallFloor.h"
+#include "app/bench/measuring/MemoryPeak.h"
+#include "app/bench/scenes/SceneText.h"
+#include "app/bench/scenes/WallFloor.h"
 #include "scenegraph/SceneCompiler.h"
 #include "scenegraph/SceneFile.h"
 #include "scenegraph/nodes/SoHapticSurface.h"

@@ -6,13 +6,13 @@
 #include <stdexcept>
 #include <thread>
 
-#include "app/bench/ArmOnFloor.h"
-#include "app/bench/BareTimer.h"
 #include "app/bench/Benches.h"
-#include "app/bench/MemoryPeak.h"
-#include "app/bench/SceneText.h"
 #include "app/bench/TemporaryFile.h"
-#include "app/bench/ThreadCounters.h"
+#include "app/bench/measuring/BareTimer.h"
+#include "app/bench/measuring/MemoryPeak.h"
+#include "app/bench/measuring/ThreadCounters.h"
+#include "app/bench/scenes/ArmOnFloor.h"
+#include "app/bench/scenes/SceneText.h"
 #include "app/session/Session.h"
 #include "scenegraph/SceneCompiler.h"
 #include "scenegraph/SceneFile.h"

@@ -1,9 +1,9 @@
 #include <filesystem>
 
-#include "app/bench/ArmOnFloor.h"
 #include "app/bench/Benches.h"
 #include "app/bench/TemporaryFile.h"
-#include "app/session/log/SessionLogWriter.h"
+#include "app/bench/scenes/ArmOnFloor.h"
+#include "app/session/log/writing/SessionLogWriter.h"
 #include "haptics/servo/FastLoop.h"
 
 namespace haptiv {

@@ -1,7 +1,7 @@
 #include <stdexcept>
 
-#include "app/bench/ArmOnFloor.h"
 #include "app/bench/Benches.h"
+#include "app/bench/scenes/ArmOnFloor.h"
 #include "device/replayed/ReplayedDevice.h"
 #include "haptics/servo/FastLoop.h"
 #include "haptics/servo/ServeTick.h"

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "device/calibration/CalibratedText.h"
 #include "device/calibration/QuietCheck.h"
+#include "device/parsing/CalibratedText.h"
 
 namespace haptiv {
 

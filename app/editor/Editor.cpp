@@ -4,7 +4,7 @@
 #include <QUndoStack>
 
 #include "app/editor/EditorIcons.h"
-#include "app/editor/Edits.h"
+#include "app/editor/edits/Edits.h"
 #include "app/editor/handles/Handles.h"
 #include "app/editor/panels/DiagnosticsList.h"
 #include "app/editor/panels/PropertyPanel.h"

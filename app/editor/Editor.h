@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "app/editor/SceneDocument.h"
+#include "app/editor/document/SceneDocument.h"
 #include "app/view/SceneView.h"
 
 namespace haptiv {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/experiments/claims/RunTable.h"
+#include "app/experiments/RunTable.h"
 #include "app/figures/Figure.h"
 #include "device/DeviceDescription.h"
 

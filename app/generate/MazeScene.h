@@ -27,9 +27,15 @@ class MazeScene {
     bool along;  ///< along x; else along y
   };
   std::vector<Box> walls(bool outer) const;
-  std::string wallsText(bool outer) const;
+  std::string headText() const;
+  std::string deviceText() const;
+  std::string floorText() const;
+  std::string wallsText() const;
+  std::string boxesText(bool outer) const;
+  std::string goalText() const;
   double x(double column) const;
   double y(double row) const;
+  double mass() const;  ///< of the tool [kg]
 
   Maze maze_;
   std::uint64_t seed_;

@@ -31,6 +31,9 @@ class CalibrationDialog : public QDialog {
 
  private:
   void build();
+  void makeWords();
+  void makeControls();
+  void arrange();
   void connectParts();
   void openDevice(const DeviceOpener& open);
   void catchUp();

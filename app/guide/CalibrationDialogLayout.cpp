@@ -8,6 +8,12 @@
 namespace haptiv {
 
 void CalibrationDialog::build() {
+  makeWords();
+  makeControls();
+  arrange();
+}
+
+void CalibrationDialog::makeWords() {
   Parts& p = *parts_;
   const auto label = [this](const char* name) {
     auto* made = new QLabel(this);
@@ -15,14 +21,10 @@ void CalibrationDialog::build() {
     made->setWordWrap(true);
     return made;
   };
-  const auto button = [this](const char* name, const QString& words) {
-    auto* made = new QPushButton(words, this);
-    made->setObjectName(name);
-    made->setAutoDefault(false);
-    return made;
-  };
   p.steps = label("guideSteps");
   p.steps->setTextFormat(Qt::RichText);
+  p.steps->setMinimumWidth(160);
+  p.steps->setAlignment(Qt::AlignTop);
   p.title = label("guideTitle");
   QFont large = p.title->font();
   large.setPointSizeF(1.4 * large.pointSizeF());
@@ -35,6 +37,17 @@ void CalibrationDialog::build() {
   p.instruction->setAlignment(Qt::AlignTop);
   p.result->setMinimumHeight(3 * fontMetrics().lineSpacing() + 4);
   p.result->setAlignment(Qt::AlignTop);
+}
+
+// The Tab key goes through them in this order.
+void CalibrationDialog::makeControls() {
+  Parts& p = *parts_;
+  const auto button = [this](const char* name, const QString& words) {
+    auto* made = new QPushButton(words, this);
+    made->setObjectName(name);
+    made->setAutoDefault(false);
+    return made;
+  };
   p.readings = new LiveReadings(this);
   p.anew = new QCheckBox(tr("No zero was known, or the encoders have lost power: take any counts"), this);
   p.anew->setObjectName("guideAnew");
@@ -51,7 +64,10 @@ void CalibrationDialog::build() {
   p.measure = button("guideMeasure", tr("Measure"));
   p.save = button("guideSave", tr("Save"));
   p.close = button("guideClose", tr("Close"));
+}
 
+void CalibrationDialog::arrange() {
+  Parts& p = *parts_;
   auto* file = new QHBoxLayout;
   file->addWidget(p.path);
   file->addWidget(p.browse);
@@ -69,8 +85,6 @@ void CalibrationDialog::build() {
   page->addWidget(p.progress);
   page->addWidget(p.result);
   page->addLayout(buttons);
-  p.steps->setMinimumWidth(160);
-  p.steps->setAlignment(Qt::AlignTop);
   auto* all = new QHBoxLayout(this);
   all->addWidget(p.steps);
   all->addLayout(page, 1);

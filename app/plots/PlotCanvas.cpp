@@ -78,4 +78,13 @@ QColor curveColour(const QString& name, int index) {
   return kOthers[static_cast<std::size_t>(index) % kOthers.size()];
 }
 
+QString plotHeader(const QString& title, const std::vector<QString>& names) {
+  QString text = "<b>" + title.toHtmlEscaped() + "</b>";
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += QString("&nbsp;&nbsp; <span style='color:%1'>&#9644;&nbsp;%2</span>")
+                .arg(curveColour(names[i], static_cast<int>(i)).name(), names[i].toHtmlEscaped());
+  }
+  return text;
+}
+
 }  // namespace haptiv

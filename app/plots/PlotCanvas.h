@@ -4,6 +4,7 @@
 
 #include <QColor>
 #include <QString>
+#include <vector>
 
 namespace haptiv {
 
@@ -13,5 +14,8 @@ QwtPlot* makePlot(QWidget* parent);
 
 /// x, y and z as in the axes of a 3-D view: red, green, blue; others in the order of their index.
 QColor curveColour(const QString& name, int index);
+
+/// Rich text: the title, and the curves' names in their colours.
+QString plotHeader(const QString& title, const std::vector<QString>& names);
 
 }  // namespace haptiv

@@ -2,33 +2,24 @@
 
 #include <QEvent>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
-#include "app/plots/CalmRange.h"
 #include "app/plots/PlotCanvas.h"
+#include "app/plots/PlotGesture.h"
+#include "app/plots/PlotOverlay.h"
 #include "app/plots/SignalCurve.h"
-#include "app/plots/Signals.h"
-#include "app/plots/TimeWindow.h"
+#include "app/plots/samples/CalmRange.h"
+#include "app/plots/samples/Signals.h"
+#include "app/plots/samples/TimeWindow.h"
 
 namespace haptiv {
 
 namespace {
 
-constexpr int kLabelWidth = 60;        // of a time with room about it [pixels]
-constexpr double kZoomPerNotch = 0.8;  // of the shown span
-
-QString header(const QString& title, const std::vector<QString>& names) {
-  QString text = "<b>" + title.toHtmlEscaped() + "</b>";
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    text += QString("&nbsp;&nbsp; <span style='color:%1'>&#9644;&nbsp;%2</span>")
-                .arg(curveColour(names[i], static_cast<int>(i)).name(), names[i].toHtmlEscaped());
-  }
-  return text;
-}
+constexpr int kLabelWidth = 60;  // of a time with room about it [pixels]
 
 }  // namespace
 
@@ -37,8 +28,7 @@ struct SignalPlot::Parts {
 
   QLabel* header = nullptr;
   QwtPlot* plot = nullptr;
-  QLabel* empty = nullptr;
-  QWidget* cursorLine = nullptr;
+  std::optional<PlotOverlay> overlay;
   std::vector<SignalCurve*> curves;
   CalmRange range;
   QTimer replotTimer;
@@ -54,11 +44,12 @@ struct SignalPlot::Parts {
 SignalPlot::SignalPlot(const QString& title, const std::vector<QString>& names, QWidget* parent)
     : QWidget(parent), parts_(std::make_unique<Parts>(names.size())) {
   Parts& p = *parts_;
-  p.header = new QLabel(header(title, names), this);
+  p.header = new QLabel(plotHeader(title, names), this);
   p.header->setTextFormat(Qt::RichText);
   p.header->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   p.plot = makePlot(this);
   p.plot->canvas()->installEventFilter(this);
+  p.overlay.emplace(*p.plot);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 2, 4, 0);
   layout->setSpacing(0);
@@ -70,17 +61,6 @@ SignalPlot::SignalPlot(const QString& title, const std::vector<QString>& names, 
     curve->attach(p.plot);
     p.curves.push_back(curve);
   }
-
-  p.cursorLine = new QWidget(p.plot->canvas());
-  p.cursorLine->setAttribute(Qt::WA_TransparentForMouseEvents);
-  p.cursorLine->setAutoFillBackground(true);
-  p.cursorLine->setPalette(QPalette(QColor(0x30, 0x36, 0x3c)));
-  p.cursorLine->hide();
-  p.empty = new QLabel("nothing to show yet", p.plot->canvas());
-  p.empty->setAttribute(Qt::WA_TransparentForMouseEvents);
-  p.empty->setAlignment(Qt::AlignCenter);
-  p.empty->setWordWrap(true);
-  p.empty->setStyleSheet("color: #868e96");
 
   p.replotTimer.setSingleShot(true);
   p.replotTimer.setInterval(0);
@@ -104,7 +84,7 @@ void SignalPlot::setMinimumSpan(double span) {
 }
 
 void SignalPlot::setEmptyText(const QString& text) {
-  parts_->empty->setText(text);
+  parts_->overlay->setNote(text);
 }
 
 void SignalPlot::append(double time, const std::vector<double>& values) {
@@ -179,8 +159,7 @@ void SignalPlot::replot() {
   p.plot->setAxisScale(QwtPlot::xBottom, p.window.from(), p.window.to());
   p.plot->setAxisScale(QwtPlot::yLeft, p.range.lower(), p.range.upper(), p.range.step());
   p.plot->replot();
-  p.empty->setVisible(p.data.empty());
-  p.empty->setGeometry(p.plot->canvas()->rect());
+  p.overlay->showNote(p.data.empty());
   placeCursor();
 }
 
@@ -194,11 +173,7 @@ void SignalPlot::Parts::fillCurves() {
 void SignalPlot::placeCursor() {
   Parts& p = *parts_;
   const bool shown = p.standing && !p.data.empty() && p.cursor >= p.window.from() && p.cursor <= p.window.to();
-  if (shown) {
-    const int x = static_cast<int>(std::lround(p.plot->canvasMap(QwtPlot::xBottom).transform(p.cursor)));
-    p.cursorLine->setGeometry(std::min(x, p.plot->canvas()->width() - 1), 0, 1, p.plot->canvas()->height());
-  }
-  p.cursorLine->setVisible(shown);
+  p.overlay->placeCursor(shown ? std::optional(p.cursor) : std::nullopt);
 }
 
 bool SignalPlot::eventFilter(QObject* watched, QEvent* event) {
@@ -207,31 +182,23 @@ bool SignalPlot::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool SignalPlot::mouse(QEvent* event) {
-  const auto timeAt = [this](double x) {
-    const double time = parts_->plot->canvasMap(QwtPlot::xBottom).invTransform(x);
-    return parts_->window.bounded(time);
-  };
-  switch (event->type()) {
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseMove: {
-      const auto* move = static_cast<QMouseEvent*>(event);
-      if (!(move->buttons() & Qt::LeftButton)) return false;
-      emit timePicked(timeAt(move->localPos().x()));
-      return event->type() == QEvent::MouseMove;  // a press goes on, so that the keys come to where it was
-    }
-    case QEvent::MouseButtonDblClick:
-      parts_->window.showAll();
-      break;
-    case QEvent::Wheel: {
-      const auto* wheel = static_cast<QWheelEvent*>(event);
-      parts_->window.zoom(std::pow(kZoomPerNotch, wheel->angleDelta().y() / 120.0), timeAt(wheel->position().x()));
-      break;
-    }
-    default:
+  TimeWindow& window = parts_->window;
+  const PlotGesture gesture = gestureOf(*event, *parts_->plot);
+  switch (gesture.kind) {
+    case PlotGesture::Kind::none:
       return false;
+    case PlotGesture::Kind::pick:
+      emit timePicked(window.bounded(gesture.time));
+      return event->type() == QEvent::MouseMove;  // a press goes on, so that the keys come to where it was
+    case PlotGesture::Kind::zoom:
+      window.zoom(gesture.factor, window.bounded(gesture.time));
+      break;
+    case PlotGesture::Kind::showAll:
+      window.showAll();
+      break;
   }
   replotSoon();
-  emit timeRangeChanged(parts_->window.from(), parts_->window.to());
+  emit timeRangeChanged(window.from(), window.to());
   return true;
 }
 

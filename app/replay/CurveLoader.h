@@ -4,7 +4,7 @@
 #include <QTimer>
 #include <optional>
 
-#include "app/plots/Envelope.h"
+#include "app/plots/samples/Envelope.h"
 #include "app/replay/LogReader.h"
 
 namespace haptiv {

@@ -4,7 +4,7 @@
 #include <list>
 #include <vector>
 
-#include "app/session/log/SessionLog.h"
+#include "app/session/log/reading/SessionLog.h"
 
 namespace haptiv {
 

@@ -2,7 +2,7 @@
 
 #include <QLabel>
 
-#include "app/session/log/SessionLog.h"
+#include "app/session/log/reading/SessionLog.h"
 
 namespace haptiv {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "app/session/log/SessionLog.h"
+#include "app/session/log/reading/SessionLog.h"
 
 namespace haptiv {
 

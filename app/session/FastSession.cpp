@@ -3,6 +3,7 @@
 
 #include "app/session/Session.h"
 #include "app/session/SessionSeat.h"
+#include "app/session/log/writing/SessionLogWriter.h"
 #include "haptics/servo/FastLoop.h"
 
 namespace haptiv {

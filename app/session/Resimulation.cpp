@@ -4,7 +4,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "app/session/log/TickColumns.h"
+#include "app/session/log/contents/TickColumns.h"
 #include "haptics/tick/HapticTick.h"
 
 namespace haptiv {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/log/SessionLog.h"
+#include "app/session/log/reading/SessionLog.h"
 
 namespace haptiv {
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "app/session/SceneResolution.h"
-#include "app/session/SessionRecorder.h"
 #include "app/session/SessionSeat.h"
-#include "app/session/UtcTime.h"
+#include "app/session/choices/SceneResolution.h"
 #include "app/session/hands/LiveHand.h"
+#include "app/session/recording/SessionRecorder.h"
+#include "app/session/recording/UtcTime.h"
 #include "device/HostButtons.h"
 #include "haptics/scene/DeviceFrames.h"
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "app/session/SharedText.h"
 #include "app/session/hands/HandFile.h"
-#include "app/session/log/SessionLogWriter.h"
+#include "app/session/recording/SessionSummary.h"
+#include "app/session/recording/SharedText.h"
 #include "haptics/scene/HapticScene.h"
 #include "haptics/servo/ServoLoop.h"
 
@@ -33,21 +33,6 @@ struct SessionSetup {
   std::optional<std::filesystem::path> log;  ///< none: nothing is recorded
   /// Where to put the last ticks before a fault (FlightRecorder); none: beside the log, or nowhere without a log.
   std::optional<std::filesystem::path> flights;
-};
-
-/// What a session came to; kept tick by tick.
-struct SessionSummary {
-  std::uint64_t ticks = 0;  ///< run, lost records included
-  std::uint64_t missedTicks = 0;
-  std::uint64_t droppedRecords = 0;
-  double maxForce = 0;         ///< of the environment on the ball [N]
-  double maxPenetration = 0;   ///< [m]
-  std::uint64_t contacts = 0;  ///< times the ball came to touch a wall
-  std::uint32_t clamps = 0;    ///< Clamp bits that held something back at any time
-  TickRecord last;
-  std::vector<std::filesystem::path> flights;  ///< files with what led to a fault, one a fault
-  /// The next tick of the session.
-  void take(const TickRecord& record);
 };
 
 /// How punctual a session's servo is.

@@ -4,8 +4,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "app/session/SceneControl.h"
-#include "app/session/SceneResolution.h"
+#include "app/session/choices/SceneControl.h"
+#include "app/session/choices/SceneResolution.h"
 #include "app/version.h"
 #include "device/simulated/ScriptedHand.h"
 #include "haptics/scene/DeviceFrames.h"

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "app/session/FlightRecorder.h"
 #include "app/session/Session.h"
+#include "app/session/recording/FlightRecorder.h"
 #include "device/simulated/SimulatedDevice.h"
 
 /// What live and fast sessions are both built from.

@@ -1,5 +1,5 @@
 // What the window's panel on dexterity shows: the arm at home, in the running session, or at the replay's cursor.
-#include "app/session/SceneResolution.h"
+#include "app/session/choices/SceneResolution.h"
 #include "app/window/MainWindowParts.h"
 #include "haptics/servo/SessionStart.h"
 

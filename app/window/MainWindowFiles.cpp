@@ -4,8 +4,8 @@
 #include <QMessageBox>
 #include <exception>
 
-#include "app/window/LogFolder.h"
 #include "app/window/MainWindowParts.h"
+#include "app/window/session/LogFolder.h"
 
 namespace haptiv {
 

@@ -15,12 +15,12 @@
 #include "app/window/ControlMenu.h"
 #include "app/window/MainWindow.h"
 #include "app/window/ReplayStage.h"
-#include "app/window/SessionControl.h"
-#include "app/window/SessionStatus.h"
 #include "app/window/operator/DeviceMenu.h"
 #include "app/window/operator/FalconOpening.h"
 #include "app/window/operator/HandMenu.h"
 #include "app/window/operator/OperatorKeys.h"
+#include "app/window/session/SessionControl.h"
+#include "app/window/session/SessionStatus.h"
 
 namespace haptiv {
 

@@ -8,7 +8,7 @@
 #include "device/Encoder.h"
 #include "device/board/Board.h"
 #include "device/simulated/FaultySensors.h"
-#include "device/simulated/plant/SimulatedArm.h"
+#include "device/simulated/SimulatedArm.h"
 
 namespace haptiv {
 namespace {

@@ -32,6 +32,15 @@ void takeOver(const std::vector<Felt>& before, std::size_t number, ShapeId id, s
 
 }  // namespace
 
+SoCallbackAction::Response SceneCollector::onSeparator(void* self, SoCallbackAction* action, const SoNode* node) {
+  if (node->getTypeId() != SoSeparator::getClassTypeId()) return SoCallbackAction::CONTINUE;
+  auto& collector = *static_cast<SceneCollector*>(self);
+  const auto& separator = *static_cast<const SoSeparator*>(node);
+  const PathIds::Way way = collector.memory_.ids.wayToParent(*action->getCurPath());
+  if (!collector.takePlain(separator, collector.surroundings(way, *action))) collector.walk(separator, *action);
+  return SoCallbackAction::PRUNE;
+}
+
 void SceneCollector::walk(const SoSeparator& separator, SoCallbackAction& action) {
   const PathIds::Way way = memory_.ids.wayOf(*action.getCurPath());
   action.getState()->push();

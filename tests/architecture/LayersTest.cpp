@@ -98,9 +98,20 @@ TEST(Layers, UsbIpIsSpokenWithoutSockets) {
   expectNoInclude("app/board/usbip", "^(sys/|netinet/|arpa/|poll.h|unistd.h)");
 }
 
-TEST(Layers, Hdf5StaysInTheSessionLog) {
+TEST(Layers, Hdf5StaysInItsWrapperInTheSessionLog) {
   for (const char* folder : {"device", "haptics", "scenegraph"}) expectNoInclude(folder, kHdf5);
-  expectNoInclude("app", kHdf5, "^app/session/log/");
+  expectNoInclude("app", kHdf5, "^app/session/log/hdf5/");
+}
+
+TEST(Layers, WhatALogHoldsIsKnownByWriterAndReaderAlike) {
+  expectNoInclude("app/session/log/hdf5", "^app/session/(?!log/hdf5/)");
+  expectNoInclude("app/session/log/contents", "^app/session/log/(writing|reading)/");
+  expectNoInclude("app/session/log/writing", "^app/session/log/reading/");
+  expectNoInclude("app/session/log/reading", "^app/session/log/writing/");
+}
+
+TEST(Layers, WhatIsKeptOfASessionIsKeptWithoutKnowingIt) {
+  expectNoInclude("app/session/recording", "^app/session/(?!recording/|log/)");
 }
 
 TEST(Layers, LibusbStaysInTheUsbTransport) {
@@ -121,6 +132,12 @@ TEST(Layers, TheSceneViewKnowsNothingOfEditorReplayAndWindow) {
 TEST(Layers, TheEditorKnowsNothingOfSessionsAndReplay) {
   expectNoInclude("app/editor", "^app/(session|replay|window)/");
 }
+TEST(Layers, TheEditedDocumentKnowsNothingOfWhatEditsIt) {
+  for (const std::string room : {"document", "items"})
+    expectNoInclude("app/editor/" + room, "^app/editor/(?!" + room + "/)");
+  expectNoInclude("app/editor/commands", "^app/editor/(edits|panels|handles)/");
+  expectNoInclude("app/editor/edits", "^app/editor/(panels|handles)/");
+}
 TEST(Layers, FiguresKnowNothingOfWhatTheyShow) {
   expectNoInclude("app/figures", "^(device|haptics|scenegraph)/|^app/(?!figures/)");
 }
@@ -130,7 +147,7 @@ TEST(Layers, TheExperimentsNeedFiguresAlone) {
 
 // But for HDF5's one lock, and for constants that Coin wants to have the address of.
 TEST(Absences, NothingIsRememberedOutsideOfValues) {
-  const std::regex allowed("^(app/session/log/Hdf5|scenegraph/reading/coin/NurbsContext)\\.cpp$");
+  const std::regex allowed("^(app/session/log/hdf5/Hdf5|scenegraph/reading/coin/NurbsContext)\\.cpp$");
   for (const char* folder : {"device", "haptics", "scenegraph", "app"}) {
     for (const Found& found : find(folder, R"(^\s*(?:static|thread_local)\s+(?!const\b|constexpr\b)([^()]*)[;={])"))
       EXPECT_TRUE(std::regex_match(found.file, allowed)) << found.file << ":" << found.line << ": " << found.text;

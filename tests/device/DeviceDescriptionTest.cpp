@@ -63,61 +63,6 @@ TEST(DeviceDescription, IsNotReadFromOutsideOfTheFolderOfTheSceneThatNamesIt) {
   }
 }
 
-TEST(DeviceDescription, TakesEveryKeyOfItsFormat) {
-  const auto d = parseDeviceDescription(
-      "schema = 1\nname = 'small'\n[links]\nscara = 0.1\nforearm = 0.2\nlift = 0.3\nscaraHeight = 0.4\nwristBracket = "
-      "1\n"
-      "[sensor]\nforceResolution = 1\ntorqueResolution = 2\nforceNoise = 3\ntorqueNoise = 4\nforceRange = 5\n"
-      "torqueRange = 6\nbandwidth = 7\n[bodies]\ngravity = [0, 1, 2]\nlink = [{mass = 3, centre = [4, 5, 6], inertia = "
-      "[7, 8, 9, 0.1, 0.2, 0.3]}, {}, {}, {}, {}, {}, {}, {}, {}, {}]\n"
-      "[drives]\nbrakeDamping = [1,2,3,4,5,6,7,8,9,10]\n"
-      "[hand]\nmass = 1\ngripStiffness = 1000\ngripDamping = 12\ngripStrength = 13\nturnStiffness = 14\n"
-      "turnDamping = 15\npeakTorque = 16\nstiffness = 7\ndamping = 8\npeakForce = 9\nbandwidth = "
-      "10\n[control]\ndriftGain = 11\n"
-      "jointGain = 12\nsingularityDamping = 13\nsingularityThreshold = 14\ntrackingErrorLimit = 15\n"
-      "[safety]\nwatchdogTime = 16\nvelocityTimeUnit = 0.1\ncountThreshold = "
-      "[9e6,9e6,9e6,9e6,9e6,9e6,9e6,9e6,9e6,9e6]\n"
-      "forceClamp = 17\nspeedClamp = 18\n"
-      "[redundancy]\nstrategy = 'dir'\nsolution = 'partitioned'\nstepFull = {man = 19, dir = 20, cond = 21}\n"
-      "translationWeight = 22\nrotationWeight = 23\nweighByRateLimits = true\n"
-      "normalisationPoses = [[1,2,3,4,5,6,7,8,9,10], [0,0,0,0,0,0,0,0,0,0]]\n[redundancy.stepPartitioned]\ncond = 24\n",
-      "small.toml");
-  EXPECT_EQ(d.bodies.gravity, Vector3(0, 1, 2));
-  ASSERT_EQ(d.bodies.links.size(), 10u);
-  EXPECT_EQ(d.bodies.links[0].mass, 3);
-  EXPECT_EQ(d.bodies.links[0].centre, Vector3(4, 5, 6));
-  EXPECT_EQ(d.bodies.links[0].inertia, (Matrix3() << 7, 0.1, 0.2, 0.1, 8, 0.3, 0.2, 0.3, 9).finished());
-  EXPECT_EQ(d.bodies.links[9].mass, 0);
-  EXPECT_EQ(d.drives.brakeDamping[9], 10);
-  EXPECT_EQ(d.sensor.bandwidth, 7);
-  EXPECT_EQ(Vector3(d.hand.mass, d.hand.gripStiffness, d.hand.gripDamping), Vector3(1, 1000, 12));
-  EXPECT_EQ(d.hand.gripStrength, 13);
-  EXPECT_EQ(Vector3(d.hand.turnStiffness, d.hand.turnDamping, d.hand.peakTorque), Vector3(14, 15, 16));
-  EXPECT_EQ(d.name, "small");
-  EXPECT_EQ(Vector3(d.links.scara, d.links.forearm, d.links.lift), Vector3(0.1, 0.2, 0.3));
-  EXPECT_EQ(d.links.scaraHeight, 0.4);
-  EXPECT_EQ(d.links.wristBracket, 1);
-  EXPECT_EQ(Vector3(d.sensor.forceResolution, d.sensor.forceNoise, d.sensor.forceRange), Vector3(1, 3, 5));
-  EXPECT_EQ(Vector3(d.sensor.torqueResolution, d.sensor.torqueNoise, d.sensor.torqueRange), Vector3(2, 4, 6));
-  EXPECT_EQ(Eigen::Vector4d(d.hand.stiffness, d.hand.damping, d.hand.peakForce, d.hand.bandwidth),
-            Eigen::Vector4d(7, 8, 9, 10));
-  EXPECT_EQ(Vector3(d.control.driftGain, d.control.jointGain, d.control.singularityDamping), Vector3(11, 12, 13));
-  EXPECT_EQ(d.control.singularityThreshold, 14);
-  EXPECT_EQ(d.control.trackingErrorLimit, 15);
-  EXPECT_EQ(Vector3(d.safety.watchdogTime, d.safety.forceClamp, d.safety.speedClamp), Vector3(16, 17, 18));
-  EXPECT_EQ(d.safety.velocityTimeUnit, 0.1);
-  EXPECT_EQ(d.safety.countThreshold, JointVector::Constant(9e6));
-  EXPECT_EQ(d.redundancy.choice, (ResolutionChoice{Strategy::dir, Solution::partitioned}));
-  EXPECT_EQ(Vector3(d.redundancy.stepFull.man, d.redundancy.stepFull.dir, d.redundancy.stepFull.cond),
-            Vector3(19, 20, 21));
-  EXPECT_EQ(d.redundancy.stepPartitioned.cond, 24);
-  EXPECT_EQ(d.redundancy.translationWeight, 22);
-  EXPECT_EQ(d.redundancy.rotationWeight, 23);
-  EXPECT_TRUE(d.redundancy.weighByRateLimits);
-  ASSERT_EQ(d.redundancy.normalisationPoses.size(), 2u);
-  EXPECT_EQ(d.redundancy.normalisationPoses[0][9], 10);
-}
-
 TEST(DeviceDescription, KeepsDefaultsForMissingKeysButAsksForTheSchema) {
   EXPECT_EQ(parseDeviceDescription("schema = 1", "arm.toml").links.scara, LinkLengths{}.scara);
   EXPECT_THAT(refusal("name = 'arm'"), AllOf(StartsWith("arm.toml:1:1: "), HasSubstr("schema = 1")));

@@ -5,7 +5,8 @@
 #include <filesystem>
 #include <thread>
 
-#include "app/session/SessionRecorder.h"
+#include "app/session/log/writing/SessionLogWriter.h"
+#include "app/session/recording/SessionRecorder.h"
 #include "haptics/servo/FastLoop.h"
 #include "haptics/servo/ServoLoop.h"
 #include "tests/faults/FaultChain.h"

@@ -5,7 +5,8 @@
 #include <iterator>
 #include <thread>
 
-#include "app/session/log/LogProbe.h"
+#include "app/session/log/reading/LogProbe.h"
+#include "app/session/log/writing/SessionLogWriter.h"
 #include "tests/session/SessionFixtures.h"
 
 namespace haptiv {

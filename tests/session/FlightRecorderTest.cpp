@@ -1,14 +1,15 @@
-#include "app/session/FlightRecorder.h"
+#include "app/session/recording/FlightRecorder.h"
 
 #include <gmock/gmock.h>
 
 #include <functional>
 
 #include "app/session/Resimulation.h"
-#include "app/session/SessionRecorder.h"
-#include "app/session/log/Hdf5Table.h"
-#include "app/session/log/LogExport.h"
-#include "app/session/log/TickColumns.h"
+#include "app/session/log/contents/TickColumns.h"
+#include "app/session/log/hdf5/Hdf5Table.h"
+#include "app/session/log/reading/LogExport.h"
+#include "app/session/log/writing/SessionLogWriter.h"
+#include "app/session/recording/SessionRecorder.h"
 #include "tests/session/SessionFixtures.h"
 
 namespace haptiv {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "app/session/log/writing/SessionLogWriter.h"
 #include "tests/session/SessionFixtures.h"
 
 namespace haptiv {

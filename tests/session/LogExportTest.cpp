@@ -1,4 +1,4 @@
-#include "app/session/log/LogExport.h"
+#include "app/session/log/reading/LogExport.h"
 
 #include <gmock/gmock.h>
 
@@ -7,6 +7,7 @@
 #include <map>
 #include <sstream>
 
+#include "app/session/log/writing/SessionLogWriter.h"
 #include "tests/session/SessionFixtures.h"
 
 namespace haptiv {

@@ -4,6 +4,7 @@
 
 #include <thread>
 
+#include "app/session/log/writing/SessionLogWriter.h"
 #include "device/simulated/ScriptedHand.h"
 #include "device/simulated/SimulatedDevice.h"
 #include "haptics/servo/FastLoop.h"

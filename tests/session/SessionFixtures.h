@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "app/session/Session.h"
-#include "app/session/log/SessionLog.h"
+#include "app/session/log/reading/SessionLog.h"
 
 namespace haptiv::testing {
 

@@ -6,6 +6,7 @@
 
 #include <csignal>
 
+#include "app/session/log/writing/SessionLogWriter.h"
 #include "tests/session/SessionFixtures.h"
 
 namespace haptiv {

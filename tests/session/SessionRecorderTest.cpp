@@ -1,7 +1,8 @@
-#include "app/session/SessionRecorder.h"
+#include "app/session/recording/SessionRecorder.h"
 
 #include <gmock/gmock.h>
 
+#include "app/session/log/writing/SessionLogWriter.h"
 #include "tests/session/SessionFixtures.h"
 
 namespace haptiv {

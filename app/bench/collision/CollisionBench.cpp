@@ -4,7 +4,7 @@
 #include "app/bench/Benches.h"
 #include "app/bench/collision/FlatScan.h"
 #include "app/bench/collision/MeshBench.h"
-#include "app/bench/collision/WallFloor.h"
+#include "app/bench/scenes/WallFloor.h"
 
 namespace haptiv {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "app/bench/collision/MeshSphere.h"
+#include "app/bench/scenes/MeshSphere.h"
 
 namespace haptiv {
 namespace {

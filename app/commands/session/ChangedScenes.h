@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/log/SessionLog.h"
+#include "app/session/log/reading/SessionLog.h"
 
 namespace haptiv {
 

@@ -7,9 +7,9 @@
 #include "app/commands/Report.h"
 #include "app/commands/scene/LoadedScene.h"
 #include "app/commands/session/SessionReport.h"
-#include "app/session/SceneControl.h"
-#include "app/session/SceneResolution.h"
-#include "app/session/log/SessionLog.h"
+#include "app/session/choices/SceneControl.h"
+#include "app/session/choices/SceneResolution.h"
+#include "app/session/log/reading/SessionLog.h"
 #include "device/DeviceDescription.h"
 
 namespace haptiv {

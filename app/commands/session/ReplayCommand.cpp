@@ -10,8 +10,8 @@
 #include "app/commands/session/ChangedScenes.h"
 #include "app/commands/session/SessionReport.h"
 #include "app/session/Resimulation.h"
-#include "app/session/log/LogExport.h"
-#include "app/session/log/SessionLog.h"
+#include "app/session/log/reading/LogExport.h"
+#include "app/session/log/reading/SessionLog.h"
 
 namespace haptiv {
 namespace {

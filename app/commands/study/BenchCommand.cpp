@@ -11,7 +11,7 @@
 #include "app/commands/ExitCode.h"
 #include "app/commands/Report.h"
 #include "app/commands/study/WallMapReport.h"
-#include "app/session/SceneControl.h"
+#include "app/session/choices/SceneControl.h"
 #include "app/timing/DurationText.h"
 #include "device/control/ControlNames.h"
 #include "haptics/servo/ServoPace.h"

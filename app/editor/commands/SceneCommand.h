@@ -2,7 +2,7 @@
 
 #include <QUndoCommand>
 
-#include "app/editor/SceneDocument.h"
+#include "app/editor/document/SceneDocument.h"
 
 namespace haptiv {
 

@@ -9,7 +9,7 @@
 #include <QTimer>
 #include <cmath>
 
-#include "app/editor/Edits.h"
+#include "app/editor/edits/Edits.h"
 #include "app/editor/handles/HandleLook.h"
 #include "app/editor/handles/Snap.h"
 

@@ -3,8 +3,8 @@
 #include <QObject>
 #include <optional>
 
-#include "app/editor/SceneDocument.h"
-#include "app/editor/ShapeFrame.h"
+#include "app/editor/document/SceneDocument.h"
+#include "app/editor/edits/ShapeFrame.h"
 #include "app/editor/handles/Snap.h"
 #include "scenegraph/NodeRef.h"
 

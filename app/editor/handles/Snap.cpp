@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/editor/handles/Grid.h"
+#include "app/editor/edits/Grid.h"
 
 namespace haptiv {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/editor/ShapeFrame.h"
+#include "app/editor/edits/ShapeFrame.h"
 
 namespace haptiv {
 

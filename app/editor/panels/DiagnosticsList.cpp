@@ -5,7 +5,7 @@
 #include <QStyle>
 #include <algorithm>
 
-#include "app/editor/SceneItems.h"
+#include "app/editor/items/SceneItems.h"
 
 namespace haptiv {
 namespace {

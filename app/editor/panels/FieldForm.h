@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "app/editor/Edits.h"
+#include "app/editor/edits/Edits.h"
 #include "app/editor/panels/FieldRows.h"
 
 namespace haptiv {

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "app/editor/SceneItems.h"
+#include "app/editor/items/SceneItems.h"
 
 namespace haptiv {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <functional>
 
-#include "app/editor/ShapeFrame.h"
+#include "app/editor/edits/ShapeFrame.h"
 #include "app/editor/panels/NumberField.h"
 
 namespace haptiv {

@@ -2,7 +2,7 @@
 
 #include <QVBoxLayout>
 
-#include "app/editor/Edits.h"
+#include "app/editor/edits/Edits.h"
 #include "app/editor/panels/KindNames.h"
 #include "app/editor/panels/WallDynamics.h"
 

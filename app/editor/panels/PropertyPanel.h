@@ -5,8 +5,8 @@
 #include <QLabel>
 #include <QScrollArea>
 
-#include "app/editor/Edits.h"
-#include "app/editor/SceneDocument.h"
+#include "app/editor/document/SceneDocument.h"
+#include "app/editor/edits/Edits.h"
 #include "app/editor/panels/FieldForm.h"
 #include "app/editor/panels/PlaceForm.h"
 

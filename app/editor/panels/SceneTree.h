@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "app/editor/SceneDocument.h"
-#include "app/editor/SceneItems.h"
+#include "app/editor/document/SceneDocument.h"
+#include "app/editor/items/SceneItems.h"
 
 namespace haptiv {
 

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "app/editor/SceneDocument.h"
+#include "app/editor/document/SceneDocument.h"
 
 namespace haptiv {
 

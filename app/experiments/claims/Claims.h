@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "app/experiments/RunTable.h"
 #include "app/experiments/claims/Claim.h"
-#include "app/experiments/claims/RunTable.h"
 
 namespace haptiv {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "device/simulated/Hand.h"
-#include "device/simulated/plant/SimulatedArm.h"
+#include "device/simulated/SimulatedArm.h"
 #include "device/usb/peripheral/ControlPipe.h"
 
 namespace haptiv::usb {

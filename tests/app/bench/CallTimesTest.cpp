@@ -1,4 +1,4 @@
-#include "app/bench/CallTimes.h"
+#include "app/bench/measuring/CallTimes.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <thread>
 
-#include "app/bench/BareTimer.h"
-#include "app/bench/ThreadCounters.h"
+#include "app/bench/measuring/BareTimer.h"
+#include "app/bench/measuring/ThreadCounters.h"
 
 namespace haptiv {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/bench/collision/MeshSphere.h"
+#include "app/bench/scenes/MeshSphere.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/bench/collision/WallFloor.h"
+#include "app/bench/scenes/WallFloor.h"
 
 #include <gtest/gtest.h>
 

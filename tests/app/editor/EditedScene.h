@@ -3,9 +3,9 @@
 #include <QTemporaryDir>
 #include <string>
 
-#include "app/editor/Edits.h"
-#include "app/editor/SceneDocument.h"
-#include "app/editor/SceneItems.h"
+#include "app/editor/document/SceneDocument.h"
+#include "app/editor/edits/Edits.h"
+#include "app/editor/items/SceneItems.h"
 
 namespace haptiv {
 

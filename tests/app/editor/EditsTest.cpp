@@ -1,4 +1,4 @@
-#include "app/editor/Edits.h"
+#include "app/editor/edits/Edits.h"
 
 #include <Inventor/fields/SoSFFloat.h>
 #include <Inventor/nodes/SoCube.h>

@@ -10,7 +10,7 @@
 
 #include <QSignalSpy>
 
-#include "app/editor/Edits.h"
+#include "app/editor/edits/Edits.h"
 #include "tests/app/editor/EditedScene.h"
 
 namespace haptiv {

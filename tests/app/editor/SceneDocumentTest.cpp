@@ -3,8 +3,8 @@
 #include <QFile>
 #include <QSignalSpy>
 
-#include "app/editor/Edits.h"
 #include "app/editor/commands/SetField.h"
+#include "app/editor/edits/Edits.h"
 #include "tests/app/editor/EditedScene.h"
 
 #include <Inventor/fields/SoSFFloat.h>

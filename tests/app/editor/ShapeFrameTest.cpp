@@ -1,10 +1,10 @@
-#include "app/editor/ShapeFrame.h"
+#include "app/editor/edits/ShapeFrame.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "app/editor/Edits.h"
+#include "app/editor/edits/Edits.h"
 #include "tests/app/editor/EditedScene.h"
 
 namespace haptiv {

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "app/editor/Edits.h"
+#include "app/editor/edits/Edits.h"
 #include "app/editor/handles/Handles.h"
 #include "tests/app/editor/EditedScene.h"
 

@@ -1,4 +1,4 @@
-#include "app/plots/CalmRange.h"
+#include "app/plots/samples/CalmRange.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/plots/Envelope.h"
+#include "app/plots/samples/Envelope.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "app/plots/Signals.h"
+#include "app/plots/samples/Signals.h"
 
 namespace haptiv {
 namespace {

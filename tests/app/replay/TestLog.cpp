@@ -3,6 +3,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "app/session/log/writing/SessionLogWriter.h"
+
 namespace haptiv {
 
 TickRecord testTick(std::uint64_t tick) {

@@ -5,7 +5,7 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "app/editor/Edits.h"
+#include "app/editor/edits/Edits.h"
 #include "app/session/Resimulation.h"
 #include "tests/app/window/WindowFixture.h"
 

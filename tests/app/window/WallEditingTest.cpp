@@ -2,7 +2,7 @@
 #include <QAction>
 #include <cmath>
 
-#include "app/editor/Edits.h"
+#include "app/editor/edits/Edits.h"
 #include "tests/app/window/WindowFixture.h"
 
 namespace haptiv {

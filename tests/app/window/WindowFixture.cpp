@@ -7,7 +7,7 @@
 #include <QToolBar>
 #include <algorithm>
 
-#include "app/window/LogFolder.h"
+#include "app/window/session/LogFolder.h"
 
 namespace haptiv {
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/editor/SceneDocument.h"
-#include "app/session/log/SessionLog.h"
+#include "app/editor/document/SceneDocument.h"
+#include "app/session/log/reading/SessionLog.h"
 #include "app/view/SceneView.h"
 #include "app/window/MainWindow.h"
 #include "tests/app/window/Gestures.h"

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "device/calibration/CalibratedText.h"
+#include "device/parsing/CalibratedText.h"
 #include "device/simulated/Miscalibration.h"
 
 namespace haptiv {

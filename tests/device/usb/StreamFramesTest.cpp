@@ -98,7 +98,7 @@ TEST(StreamFrames, KeepWhatIsNoNumberAndCutWhatIsTooLarge) {
   }
 }
 
-TEST(StreamFrames, StandInTheBytesAsTheTablesSay) {
+TEST(StreamFrames, OfStatesStandInTheBytesAsTheTableSays) {
   StateFrame state;
   state.sequence = 0x01020304;
   state.report.time = 0x1122334455;
@@ -131,6 +131,9 @@ TEST(StreamFrames, StandInTheBytesAsTheTablesSay) {
   EXPECT_EQ(little(packed, 53, 4), 4u);
   EXPECT_EQ(little(packed, 57, 2), 0xc0d0u);
   EXPECT_EQ(packed[59], 73);
+}
+
+TEST(StreamFrames, OfCommandsStandInTheBytesAsTheTableSays) {
   BoardCommand command;
   command.heartbeat = 0x0a0b0c0d;
   command.drive.enabled = true;

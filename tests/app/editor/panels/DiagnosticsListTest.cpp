@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/editor/Edits.h"
+#include "app/editor/edits/Edits.h"
 #include "tests/app/editor/EditedScene.h"
 
 namespace haptiv {

@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <QLineEdit>
 
-#include "app/editor/Edits.h"
+#include "app/editor/edits/Edits.h"
 #include "tests/app/editor/EditedScene.h"
 #include "tests/app/editor/panels/PanelWidgets.h"
 

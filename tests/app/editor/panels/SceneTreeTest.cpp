@@ -2,7 +2,7 @@
 
 #include <QLabel>
 
-#include "app/editor/Edits.h"
+#include "app/editor/edits/Edits.h"
 #include "tests/app/editor/EditedScene.h"
 #include "tests/app/editor/panels/PanelWidgets.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "device/DeviceDescription.h"
-#include "device/simulated/plant/SimulatedArm.h"
+#include "device/simulated/SimulatedArm.h"
 #include "device/usb/falcon/FalconPackets.h"
 
 namespace haptiv::falcon::test {
