@@ -22,10 +22,10 @@ struct UsbHotPlug::Registration {
 UsbHotPlug::UsbHotPlug(const UsbContext& context) : registration_(std::make_unique<Registration>()) {
   registration_->context = context.get();
   constexpr int kEvents = LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT;
-  expectUsb(libusb_hotplug_register_callback(context.get(), kEvents, 0, LIBUSB_HOTPLUG_MATCH_ANY,
-                                             LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY, Registration::told,
-                                             this, &registration_->handle),
-            "watch for", "USB devices");
+  expectUsb(
+      libusb_hotplug_register_callback(context.get(), kEvents, 0, LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY,
+                                       LIBUSB_HOTPLUG_MATCH_ANY, Registration::told, this, &registration_->handle),
+      "watch for", "USB devices");
 }
 
 UsbHotPlug::~UsbHotPlug() {

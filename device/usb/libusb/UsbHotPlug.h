@@ -9,7 +9,7 @@ struct libusb_device;
 namespace haptiv::usb {
 
 /// What has been plugged in and out, of any kind: libusb's callback leaves it here for the thread that handles its
-/// events, on which it is called itself. Thread: that one.
+/// events, on which, or on a thread of `findUsb` for which that one waits, it is called itself. Thread: that one.
 class UsbHotPlug {
  public:
   /// Throws UsbFailure where libusb is not told.
