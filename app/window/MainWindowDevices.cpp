@@ -43,11 +43,9 @@ void MainWindow::showOperator() {
 }
 
 void MainWindow::startSession() {
-  parts_->start->setEnabled(false);  // until no device is being asked
   parts_->devices->pauseThen([this] {
     Parts& p = *parts_;
     if (p.replay) return watchDevices();  // a log was opened meanwhile
-    p.start->setEnabled(true);
     p.status->clearMessage();  // it would hide the session's state
     if (!isFalcon(p.device->device().toStdString())) return p.session->start();
     if (const auto description = p.session->descriptionNeeded()) openFalcon(*description);

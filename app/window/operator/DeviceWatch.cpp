@@ -80,8 +80,9 @@ void DeviceWatch::pauseThen(std::function<void()> then) {
 }
 
 void DeviceWatch::resume() {
-  paused_ = false;
+  if (!std::exchange(paused_, false)) return;
   if (watch_) watch_->resume();
+  look();
 }
 
 }  // namespace haptiv

@@ -28,6 +28,7 @@ class DeviceWatch : public QObject {
   /// Does `then` when no device is being asked, mostly at once; and asks none until `resume`: a device that is asked
   /// cannot be opened. While another waits for that: nothing.
   void pauseThen(std::function<void()> then);
+  /// What may have changed meanwhile is listed. Not paused: nothing.
   void resume();
 
  signals:

@@ -3,7 +3,7 @@
 
 #include <thread>
 
-#include "app/window/SessionStatus.h"
+#include "app/window/session/SessionStatus.h"
 #include "tests/app/window/devices/BusWindow.h"
 
 namespace haptiv {
