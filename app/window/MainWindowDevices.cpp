@@ -46,7 +46,7 @@ void MainWindow::startSession() {
   parts_->devices->pauseThen([this] {
     Parts& p = *parts_;
     if (p.replay) return watchDevices();  // a log was opened meanwhile
-    p.status->clearMessage();  // it would hide the session's state
+    p.status->clearMessage();             // it would hide the session's state
     if (!isFalcon(p.device->device().toStdString())) return p.session->start();
     if (const auto description = p.session->descriptionNeeded()) openFalcon(*description);
   });

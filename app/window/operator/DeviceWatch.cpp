@@ -1,5 +1,6 @@
 #include "app/window/operator/DeviceWatch.h"
 
+#include <QStringList>
 #include <algorithm>
 #include <exception>
 #include <utility>

@@ -25,8 +25,9 @@ void HandMenu::refresh() {
   addActions(ways_->actions());
   addSection(tr("Which SpaceMouse"));
   listMice();
-  if (mice_->checkedAction() == nullptr && !which_.isEmpty())
-    offerMouse(which_, which_ + notPluggedIn(), tr("Plug it in, or choose another one"));
+  if (mice_->checkedAction() != nullptr || which_.isEmpty()) return;
+  const bool isListed = watch_.known() && watch_.known()->trouble.empty();
+  offerMouse(which_, which_ + (isListed ? notPluggedIn() : QString()), tr("Plug it in, or choose another one"));
 }
 
 void HandMenu::listMice() {
