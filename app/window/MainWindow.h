@@ -36,8 +36,10 @@ class MainWindow : public QMainWindow {
   void connectView();
   void connectDexterity();
   void connectDevices();
+  void watchDevices();
   void buildCalibration();
   void calibrate();
+  void openCalibration();
   void showOperator();
   void startSession();
   void openFalcon(const DeviceDescription& description);

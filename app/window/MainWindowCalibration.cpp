@@ -34,6 +34,10 @@ void MainWindow::calibrate() {
     return tell(
         tr("A Falcon has no force sensor to be calibrated, and it is homed whenever a session starts. Choose "
            "another device by Session > Device."));
+  parts_->devices->pauseThen([this] { openCalibration(); });
+}
+
+void MainWindow::openCalibration() {
   const auto open = [device = parts_->device->device().toStdString()](const DeviceDescription& description) {
     return BrakedDevice::named(device, description, kFaultsOfTheSimulatedArm);
   };
@@ -43,6 +47,7 @@ void MainWindow::calibrate() {
     parts_->shownDevice = {};  // it may be the file that the scene names
     showAtRest();
   });
+  connect(dialog, &QObject::destroyed, parts_->devices, &DeviceWatch::resume);  // it has let go of the device
   dialog->open();
 }
 

@@ -17,12 +17,23 @@ void MainWindow::connectDevices() {
   connect(p.device, &DeviceMenu::chosen, p.session, &SessionControl::chooseDevice);
   connect(p.device, &DeviceMenu::chosen, this, &MainWindow::showOperator);
   connect(p.device, &DeviceMenu::firmwareWanted, this, &MainWindow::chooseFirmware);
+  connect(p.devices, &DeviceWatch::told, this, [this](const QString& what) {
+    constexpr int kWhile = 6000;  // [ms]
+    parts_->status->showMessage(what, kWhile);
+  });
   connect(p.heldBy, &HandMenu::chosen, p.session, &SessionControl::chooseHand);
   connect(p.heldBy, &HandMenu::chosen, this, &MainWindow::showOperator);
   for (QMenu* menu : std::initializer_list<QMenu*>{p.control, p.device, p.heldBy}) {
     connect(p.session, &SessionControl::started, menu, [menu] { menu->setEnabled(false); });
     connect(p.session, &SessionControl::stopped, menu, [menu] { menu->setEnabled(true); });
   }
+  connect(p.session, &SessionControl::stopped, p.devices, &DeviceWatch::resume);
+  connect(p.session, &SessionControl::failed, this, &MainWindow::watchDevices);
+}
+
+/// Unless a session holds them.
+void MainWindow::watchDevices() {
+  if (!parts_->session->isRunning()) parts_->devices->resume();
 }
 
 void MainWindow::showOperator() {
@@ -32,10 +43,13 @@ void MainWindow::showOperator() {
 }
 
 void MainWindow::startSession() {
-  Parts& p = *parts_;
-  p.status->clearMessage();  // it would hide the session's state
-  if (!isFalcon(p.device->device().toStdString())) return p.session->start();
-  if (const auto description = p.session->descriptionNeeded()) openFalcon(*description);
+  parts_->devices->pauseThen([this] {
+    Parts& p = *parts_;
+    if (p.replay) return watchDevices();  // a log was opened meanwhile
+    p.status->clearMessage();             // it would hide the session's state
+    if (!isFalcon(p.device->device().toStdString())) return p.session->start();
+    if (const auto description = p.session->descriptionNeeded()) openFalcon(*description);
+  });
 }
 
 /// Meanwhile the window waits behind a dialog that says what to do; cancelled, all is as before.
@@ -54,13 +68,17 @@ void MainWindow::openFalcon(const DeviceDescription& description) {
   };
   connect(dialog, &QProgressDialog::canceled, opening, &FalconOpening::cancel);
   connect(opening, &FalconOpening::told, dialog, &QProgressDialog::setLabelText);
-  connect(opening, &FalconOpening::cancelled, this, end);
+  connect(opening, &FalconOpening::cancelled, this, [this, end] {
+    end();
+    watchDevices();
+  });
   connect(opening, &FalconOpening::opened, this, [this, end, opening] {
     end();
     parts_->session->startWith(opening->take());
   });
   connect(opening, &FalconOpening::failed, this, [this, end](const QString& why) {
     end();
+    watchDevices();
     tellOfFalcon(why);
   });
   p.start->setEnabled(false);
@@ -98,7 +116,7 @@ void MainWindow::keepFirmware(const QString& path) {
   Parts& p = *parts_;
   try {
     p.firmware = QString::fromStdString(falcon::keepFirmware(path.toStdString()));
-    p.device->setFirmware(p.firmware);
+    p.devices->setFirmware(p.firmware);
     p.status->showMessage(tr("The Falcon's firmware is kept as %1").arg(p.firmware), 4'000);
   } catch (const std::exception& error) {
     tell(QString::fromUtf8(error.what()));

@@ -16,6 +16,7 @@
 #include "app/window/MainWindow.h"
 #include "app/window/ReplayStage.h"
 #include "app/window/operator/DeviceMenu.h"
+#include "app/window/operator/DeviceWatch.h"
 #include "app/window/operator/FalconOpening.h"
 #include "app/window/operator/HandMenu.h"
 #include "app/window/operator/OperatorKeys.h"
@@ -32,8 +33,9 @@ struct MainWindow::Parts {
         editor(new Editor(*document, *view, &window)),
         session(new SessionControl(*document, &window)),
         control(new ControlMenu(&window)),
-        device(new DeviceMenu(&window)),
-        heldBy(new HandMenu(&window)),
+        devices(new DeviceWatch(&window)),
+        device(new DeviceMenu(*devices, &window)),
+        heldBy(new HandMenu(*devices, &window)),
         operatorKeys(new OperatorKeys(window)),
         plots(new LivePlots(&window)),
         dexterity(new DexterityPanel(&window)),
@@ -46,6 +48,7 @@ struct MainWindow::Parts {
   Editor* editor;
   SessionControl* session;
   ControlMenu* control;
+  DeviceWatch* devices;
   DeviceMenu* device;
   HandMenu* heldBy;
   OperatorKeys* operatorKeys;

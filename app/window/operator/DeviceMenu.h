@@ -3,24 +3,23 @@
 #include <QMenu>
 #include <vector>
 
-#include "device/usb/PluggedDevices.h"
+#include "app/window/operator/DeviceWatch.h"
 
 class QActionGroup;
 
 namespace haptiv {
 
 /// The menu by which the user chooses the arm of the next session: the simulated one, an interface board or a Falcon
-/// that is plugged in. It looks for them whenever it is opened, and tells of SpaceMice too, which are chosen elsewhere.
-/// Thread: GUI.
+/// that is plugged in. It shows what the watch knows and, open or not, follows it; SpaceMice too, which are chosen
+/// elsewhere. Thread: GUI.
 class DeviceMenu : public QMenu {
   Q_OBJECT
  public:
-  explicit DeviceMenu(QWidget* parent = nullptr);
+  /// @param watch  is there as long as this is used
+  explicit DeviceMenu(DeviceWatch& watch, QWidget* parent = nullptr);
 
   /// What is chosen, as after `--device`.
   const QString& device() const { return chosen_; }
-  /// The Falcon's firmware, whose absence is told; empty: where it is looked for.
-  void setFirmware(const QString& path) { firmware_ = path; }
 
  signals:
   /// As after `--device`: "sim", "usb:WHICH" or "falcon:WHICH".
@@ -30,12 +29,14 @@ class DeviceMenu : public QMenu {
 
  private:
   void refresh();
+  void listAll();
   void list(const std::vector<PluggedDevice>& devices, PluggedKind kind, const QString& title);
-  void offer(const QString& device, const QString& text, const QString& trouble);
+  void offer(const QString& device, const QString& name, const QString& state, const QString& trouble);
 
+  DeviceWatch& watch_;
   QActionGroup* group_;
   QString chosen_ = "sim";
-  QString firmware_;
+  QString chosenName_;  // what it is called
 };
 
 }  // namespace haptiv

@@ -7,12 +7,28 @@
 
 namespace haptiv {
 
-/// A device in a menu: what it is and which, and what is wrong with it in a word or two.
+/// What a device is, and which.
+inline QString nameTextOf(const PluggedDevice& device) {
+  return QString::fromStdString(device.product + " " + device.which);
+}
+
+/// Behind it: what is wrong with it in a word or two, or nothing.
+inline QString stateTextOf(const PluggedDevice& device) {
+  return device.state == PluggedState::usable ? QString() : QString(" - ") + nameOf(device.state);
+}
+
+inline QString plainTextOf(const PluggedDevice& device) {
+  return nameTextOf(device) + stateTextOf(device);
+}
+
+/// As an item of a menu.
 inline QString textOf(const PluggedDevice& device) {
-  QString text = QString::fromStdString(device.product + " " + device.which);
-  text.replace('&', "&&");
-  if (device.state != PluggedState::usable) text += QString(" - ") + nameOf(device.state);
-  return text;
+  return plainTextOf(device).replace('&', "&&");
+}
+
+/// In place of a list that is on its way.
+inline QString lookingForDevices() {
+  return QCoreApplication::translate("haptiv::DeviceMenu", "Looking for devices...");
 }
 
 /// Behind the name of one that was chosen and has gone.

@@ -1,21 +1,22 @@
 #include "app/window/operator/HandMenu.h"
 
 #include <QActionGroup>
-#include <exception>
 
 #include "app/window/operator/DeviceText.h"
 
 namespace haptiv {
 
-HandMenu::HandMenu(QWidget* parent)
-    : QMenu(tr("Hand &held by"), parent), ways_(new QActionGroup(this)), mice_(new QActionGroup(this)) {
+HandMenu::HandMenu(DeviceWatch& watch, QWidget* parent)
+    : QMenu(tr("Hand &held by"), parent), watch_(watch), ways_(new QActionGroup(this)), mice_(new QActionGroup(this)) {
   setObjectName("handMenu");
   setToolTipsVisible(true);
   offerWay("mouseHandAction", tr("Mouse: the ball follows it"), {});
   offerWay("spaceMouseVelocityAction", tr("SpaceMouse: the cap says how fast"), SpaceMouseHand::Mode::velocity);
   offerWay("spaceMousePositionAction", tr("SpaceMouse: the cap says how far"), SpaceMouseHand::Mode::position);
   ways_->actions().front()->setChecked(true);
-  connect(this, &QMenu::aboutToShow, this, &HandMenu::refresh);
+  refresh();
+  connect(&watch, &DeviceWatch::changed, this, &HandMenu::refresh);
+  connect(this, &QMenu::aboutToShow, &watch, &DeviceWatch::look);
 }
 
 /// What is chosen stays in the menu, plugged in or not: a session says what is wrong.
@@ -23,20 +24,25 @@ void HandMenu::refresh() {
   clear();
   addActions(ways_->actions());
   addSection(tr("Which SpaceMouse"));
-  try {
-    bool isAny = false;
-    for (const PluggedDevice& device : pluggedDevices()) {
-      if (device.kind != PluggedKind::spaceMouse) continue;
-      if (!isAny) offerMouse({}, tr("The only one that is plugged in"), {});
-      isAny = true;
-      offerMouse(QString::fromStdString(device.which), textOf(device), QString::fromStdString(device.trouble));
-    }
-    if (!isAny) addAction(tr("None is plugged in"))->setEnabled(false);
-  } catch (const std::exception& error) {
-    addAction(QString::fromUtf8(error.what()))->setEnabled(false);
+  listMice();
+  if (mice_->checkedAction() != nullptr || which_.isEmpty()) return;
+  const bool isListed = watch_.known() && watch_.known()->trouble.empty();
+  offerMouse(which_, which_ + (isListed ? notPluggedIn() : QString()), tr("Plug it in, or choose another one"));
+}
+
+void HandMenu::listMice() {
+  const auto tell = [this](const QString& what) { addAction(what)->setEnabled(false); };
+  if (!watch_.known()) return tell(lookingForDevices());
+  if (const std::string& trouble = watch_.known()->trouble; !trouble.empty())
+    return tell(QString::fromStdString(trouble));
+  bool isAny = false;
+  for (const PluggedDevice& device : watch_.known()->devices) {
+    if (device.kind != PluggedKind::spaceMouse) continue;
+    if (!isAny) offerMouse({}, tr("The only one that is plugged in"), {});
+    isAny = true;
+    offerMouse(QString::fromStdString(device.which), textOf(device), QString::fromStdString(device.trouble));
   }
-  if (mice_->checkedAction() == nullptr && !which_.isEmpty())
-    offerMouse(which_, which_ + notPluggedIn(), tr("Plug it in, or choose another one"));
+  if (!isAny) tell(tr("None is plugged in"));
 }
 
 void HandMenu::offerWay(const char* name, const QString& text, std::optional<SpaceMouseHand::Mode> mode) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/session/hands/SpaceMouseChoice.h"
+#include "app/window/operator/DeviceWatch.h"
 
 class QActionGroup;
 
@@ -13,11 +14,12 @@ namespace haptiv {
 using HandInput = std::optional<SpaceMouseChoice>;
 
 /// The menu by which the user chooses what moves the hand in the next session: the mouse, or a SpaceMouse; where
-/// several are plugged in, which. It looks for them whenever it is opened. Thread: GUI.
+/// several are plugged in, which. It shows what the watch knows and, open or not, follows it. Thread: GUI.
 class HandMenu : public QMenu {
   Q_OBJECT
  public:
-  explicit HandMenu(QWidget* parent = nullptr);
+  /// @param watch  is there as long as this is used
+  explicit HandMenu(DeviceWatch& watch, QWidget* parent = nullptr);
 
   bool isMouse() const { return !mode_; }  ///< the computer's: no SpaceMouse
 
@@ -26,10 +28,12 @@ class HandMenu : public QMenu {
 
  private:
   void refresh();
+  void listMice();
   void offerWay(const char* name, const QString& text, std::optional<SpaceMouseHand::Mode> mode);
   void offerMouse(const QString& which, const QString& text, const QString& trouble);
   void tell();
 
+  DeviceWatch& watch_;
   QActionGroup *ways_, *mice_;
   std::optional<SpaceMouseHand::Mode> mode_;  // nothing: the mouse
   QString which_;                             // SpaceMouse; empty: the only one

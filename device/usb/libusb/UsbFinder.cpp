@@ -6,19 +6,12 @@
 #include <array>
 #include <tuple>
 
+#include "device/usb/libusb/SideBySide.h"
+#include "device/usb/libusb/UsbText.h"
+
 namespace haptiv::usb {
 
 namespace {
-
-/// A string descriptor; empty where there is none. What is not printable ASCII becomes '?'.
-std::string textOf(libusb_device_handle* handle, std::uint8_t index) {
-  if (index == 0) return {};
-  std::array<unsigned char, 256> text{};
-  const int length = libusb_get_string_descriptor_ascii(handle, index, text.data(), static_cast<int>(text.size()));
-  std::string result;
-  for (int i = 0; i < length; ++i) result += text[i] >= ' ' && text[i] <= '~' ? static_cast<char>(text[i]) : '?';
-  return result;
-}
 
 /// "1-4.2"; the bus alone where libusb does not know the port.
 std::string portOf(libusb_device* device) {
@@ -29,15 +22,21 @@ std::string portOf(libusb_device* device) {
   return text;
 }
 
-void readTexts(FoundUsb& found, const libusb_device_descriptor& descriptor, const UsbKind& kind) {
+void readTexts(FoundUsb& found, const UsbKind& kind) {
+  libusb_device_descriptor descriptor{};
+  libusb_get_device_descriptor(found.device.get(), &descriptor);
   libusb_device_handle* handle = nullptr;
   const int opened = libusb_open(found.device.get(), &handle);
   if (opened < 0) {
     found.trouble = failureOf(opened, "open", found.describedAs(kind));
     return;
   }
-  found.serial = textOf(handle, descriptor.iSerialNumber);
-  found.product = textOf(handle, descriptor.iProduct);
+  try {
+    found.serial = textOf(handle, descriptor.iSerialNumber);
+    found.product = textOf(handle, descriptor.iProduct);
+  } catch (const SilentDevice&) {
+    found.trouble = failureOf(LIBUSB_ERROR_TIMEOUT, "ask for the name of", found.describedAs(kind));
+  }
   libusb_close(handle);
 }
 
@@ -52,7 +51,6 @@ std::optional<FoundUsb> look(libusb_device* device, const UsbKind& kind) {
   found.port = portOf(device);
   found.highSpeed = libusb_get_device_speed(device) >= LIBUSB_SPEED_HIGH;
   found.device = {libusb_ref_device(device), libusb_unref_device};
-  readTexts(found, descriptor, kind);
   return found;
 }
 
@@ -89,6 +87,7 @@ std::vector<FoundUsb> findUsb(const UsbContext& context, const UsbKind& kind) {
   for (ssize_t i = 0; i < count; ++i)
     if (std::optional<FoundUsb> found = look(list[i], kind)) all.push_back(std::move(*found));
   libusb_free_device_list(list, 1);
+  sideBySide(all, [&](FoundUsb& found) { readTexts(found, kind); });
   std::sort(all.begin(), all.end(),
             [](const auto& a, const auto& b) { return std::tie(a.bus, a.address) < std::tie(b.bus, b.address); });
   return all;

@@ -42,8 +42,9 @@ struct FoundUsb {
   std::string describedAs(const UsbKind& kind) const;
 };
 
-/// All devices of a kind that are plugged in, in the order of bus and address. Opens each shortly, to read its serial
-/// number. Never throws for a single device: its `trouble` tells.
+/// All devices of a kind that are plugged in, in the order of bus and address. Opens each shortly, all side by side, to
+/// read its serial number. Never throws for a single device: its `trouble` tells, also that it does not answer, for
+/// which this waits `kAnswerLimit`.
 std::vector<FoundUsb> findUsb(const UsbContext& context, const UsbKind& kind);
 
 /// What to call one of them by, so that no other is meant: its serial number; where it has none, or another has the

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,12 +22,14 @@ struct UsbRequest {
 };
 
 /// A device that is open, with its interface claimed; a driver of the kernel that held it gets it back at the end.
-/// Thread: one at a time. Control requests wait for their answer, a second at most: never for the servo, nor while a
-/// stream runs on the handle.
+/// Thread: one at a time. Control requests wait for their answer, for as long as `patience`: never for the servo, nor
+/// while a stream runs on the handle.
 class UsbHandle {
  public:
+  static constexpr std::chrono::milliseconds kPatience{1000};
+
   /// Throws UsbFailure.
-  UsbHandle(const FoundUsb& found, const UsbKind& kind);
+  UsbHandle(const FoundUsb& found, const UsbKind& kind, std::chrono::milliseconds patience = kPatience);
   /// No transfer may be on its way.
   ~UsbHandle();
   UsbHandle(const UsbHandle&) = delete;
@@ -51,6 +54,7 @@ class UsbHandle {
   FoundUsb found_;
   std::string name_;
   int interface_;
+  unsigned patience_;  // [ms]
   libusb_device_handle* handle_ = nullptr;
 };
 

@@ -1,6 +1,5 @@
 #include "device/usb/libusb/UsbLink.h"
 
-#include <libusb.h>
 #include <pthread.h>
 
 #include <utility>
@@ -16,31 +15,6 @@ constexpr std::chrono::milliseconds kLook{500};  // between attempts to open a d
 
 }  // namespace
 
-/// What libusb's hot-plug callback leaves for the link's thread to do, on which it is called itself.
-struct UsbLink::HotPlug {
-  explicit HotPlug(libusb_context* newContext) : context(newContext) {
-    constexpr int kEvents = LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT;
-    expectUsb(libusb_hotplug_register_callback(context, kEvents, 0, LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY,
-                                               LIBUSB_HOTPLUG_MATCH_ANY, told, this, &registration),
-              "watch for", "USB devices");
-  }
-  ~HotPlug() { libusb_hotplug_deregister_callback(context, registration); }
-  HotPlug(const HotPlug&) = delete;
-  HotPlug& operator=(const HotPlug&) = delete;
-
-  static int LIBUSB_CALL told(libusb_context*, libusb_device* device, libusb_hotplug_event event, void* self) {
-    auto& plug = *static_cast<HotPlug*>(self);
-    if (event == LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED) plug.arrived = true;
-    if (event == LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT && device == plug.mine) plug.left = true;
-    return 0;
-  }
-
-  libusb_context* context;
-  libusb_hotplug_callback_handle registration{};
-  libusb_device* mine = nullptr;
-  bool arrived = false, left = false;
-};
-
 UsbLink::UsbLink(UsbKind kind, std::string which, UsbClient& client)
     : kind_(std::move(kind)), which_(std::move(which)), client_(client), events_(context_) {}
 
@@ -50,7 +24,7 @@ UsbLink::~UsbLink() {
 
 void UsbLink::open() {
   if (thread_.joinable()) return;
-  hotPlug_ = std::make_unique<HotPlug>(context_.get());
+  hotPlug_ = std::make_unique<UsbHotPlug>(context_);
   try {
     connect();
     listen();

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "device/usb/libusb/UsbEvents.h"
+#include "device/usb/libusb/UsbHotPlug.h"
 #include "device/usb/libusb/UsbStream.h"
 
 namespace haptiv::usb {
@@ -49,7 +50,6 @@ class UsbLink {
 
  private:
   static constexpr auto kNever = std::chrono::steady_clock::time_point::max();
-  struct HotPlug;
   using Work = std::packaged_task<void(UsbHandle*)>;  // null: no device is there
 
   void connect();
@@ -69,7 +69,7 @@ class UsbLink {
   UsbClient& client_;
   UsbContext context_;
   UsbEvents events_;
-  std::unique_ptr<HotPlug> hotPlug_;
+  std::unique_ptr<UsbHotPlug> hotPlug_;
   std::unique_ptr<UsbHandle> handle_;
   StreamEndpoints endpoints_;
   std::unique_ptr<UsbStream> stream_;

@@ -19,6 +19,7 @@ TEST_F(Window, ASpaceMouseThatIsNotThereStartsNothingAndTheMouseDoes) {
   EXPECT_TRUE(find<QAction>("mouseHandAction").isChecked());
   find<QAction>("spaceMouseVelocityAction").trigger();
   clickButton("startAction");
+  EXPECT_TRUE(waitFor([&] { return window_->findChild<QMessageBox*>("messageBox") != nullptr; }));
   auto& box = find<QMessageBox>("messageBox");
   EXPECT_TRUE(box.text().contains("SpaceMouse")) << box.text().toStdString();
   box.accept();
@@ -32,9 +33,10 @@ TEST_F(Window, OffersTheSimulatedArmAndSaysThatNoBoardIsPluggedIn) {
   auto& menu = find<QMenu>("deviceMenu");
   emit menu.aboutToShow();
   EXPECT_TRUE(find<QAction>("simDeviceAction").isChecked());
-  const QList<QAction*> items = menu.actions();
-  EXPECT_TRUE(std::any_of(items.begin(), items.end(), [](QAction* item) {
-    return !item->isEnabled() && item->text().contains("None is plugged in");
+  EXPECT_TRUE(waitFor([&] {
+    const QList<QAction*> items = menu.actions();
+    return std::any_of(items.begin(), items.end(),
+                       [](QAction* item) { return !item->isEnabled() && item->text().contains("None is plugged in"); });
   }));
   startSession();
   EXPECT_FALSE(menu.isEnabled()) << "not while a session runs";
@@ -42,6 +44,7 @@ TEST_F(Window, OffersTheSimulatedArmAndSaysThatNoBoardIsPluggedIn) {
 
 TEST_F(Window, TheControlMenuLeadsToTheCalibration) {
   find<QAction>("calibrateAction").trigger();
+  EXPECT_TRUE(waitFor([&] { return window_->findChild<QDialog*>("calibrationDialog") != nullptr; }));
   auto& dialog = find<QDialog>("calibrationDialog");
   EXPECT_TRUE(waitFor([&] { return dialog.findChild<QLabel*>("axis1")->text() != "-"; })) << "live readings";
   EXPECT_TRUE(dialog.windowTitle().contains("vishard10"));

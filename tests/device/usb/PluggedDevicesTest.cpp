@@ -113,14 +113,20 @@ TEST_F(Plugged, ABoardTellsWhetherItIsHomedAndWhatItSpeaks) {
   EXPECT_THAT(only().trouble, HasSubstr("speaks version 2"));
 }
 
-TEST_F(Plugged, OneThatDoesNotAnswerIsToldAndHidesNoOther) {
+TEST_F(Plugged, ThoseThatDoNotAnswerAreToldAndHideNoOther) {
   plugBoard("B-0001").faults.silentControl = true;
+  plugBoard("B-0002");
+  plugBoard("B-0003").faults.silentControl = true;
   plugMouse();
   const std::vector<PluggedDevice> all = list();
-  ASSERT_THAT(all, SizeIs(2));
-  EXPECT_EQ(all[0].state, PluggedState::unusable);
-  EXPECT_THAT(all[0].trouble, HasSubstr("does not answer"));
-  EXPECT_EQ(all[1].state, PluggedState::usable);
+  ASSERT_THAT(all, SizeIs(4));
+  for (const std::size_t silent : {0, 2}) {
+    EXPECT_EQ(all[silent].state, PluggedState::silent);
+    EXPECT_EQ(all[silent].name(), "usb:" + all[silent].port);
+    EXPECT_THAT(all[silent].trouble, HasSubstr("switch it off and on"));
+  }
+  EXPECT_EQ(all[1].state, PluggedState::notHomed);
+  EXPECT_EQ(all[3].state, PluggedState::usable);
 }
 
 TEST_F(Plugged, LookingLeavesNothingOpen) {

@@ -47,6 +47,8 @@ class VirtualBus {
   void tick(int intervals = 1);
   /// Waits until the host has nothing left to do. Throws std::runtime_error where that takes half a minute.
   void settle();
+  /// Whether the host waits for a transfer.
+  bool isAsked() { return !awaited().empty(); }
 
   // The kernel's door, for the shim. Nothing: not a device of this bus.
   static VirtualBus* installed();

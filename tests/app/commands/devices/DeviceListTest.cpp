@@ -30,6 +30,14 @@ TEST_F(DeviceList, SaysWhatToDoWhereOneCannotBeUsed) {
                           HasSubstr("no permission\n"), HasSubstr("sudo cp device/usb/60-haptiv.rules")));
 }
 
+TEST_F(DeviceList, SaysWhichOfTheBoardsDoesNotAnswer) {
+  plugBoard("B-0001").faults.silentControl = true;
+  plugBoard("B-0002");
+  ASSERT_EQ(run({"device", "list"}), 0) << err_;
+  EXPECT_THAT(out_, AllOf(ContainsRegex("usb:1-2 +interface board +- +1-2 +does not answer\n.*switch it off and on\n"),
+                          ContainsRegex("usb:B-0002 +Haptiv interface board +B-0002 +1-3 +not homed\n")));
+}
+
 TEST_F(DeviceList, TellsProgramsTheSame) {
   plugBoard("B-0001");
   plugMouse();

@@ -5,7 +5,9 @@
 #include <memory>
 #include <string>
 
+#include "app/window/operator/DeviceWatch.h"
 #include "tests/app/window/WindowFixture.h"
+#include "tests/device/usb/bench/BoardOnUsb.h"
 #include "tests/device/usb/falcon/BenchedFalcon.h"
 #include "tests/device/usb/spacemouse/VirtualSpaceMouse.h"
 #include "tests/support/usb/RunningBus.h"
@@ -25,18 +27,32 @@ class BusWindow : public Window {
     mousePort_ = &bus_.plug(mouse);
     return mouse;
   }
+  test::VirtualPort& plugBoard(const std::string& serial) {
+    return bus_.plug(std::make_shared<test::BoardOnUsb>(loadDeviceDescription("vishard10"), serial));
+  }
   void plugFalcon() {
     usb_ = std::make_shared<falcon::test::FalconOnUsb>(loadDeviceDescription("falcon"));
     falconPort_ = &bus_.plug(usb_);
   }
   falcon::test::VirtualFalcon& falcon() { return usb_->falcon; }
 
-  /// What stands in a menu when it is opened, a line each.
+  /// What stands in a menu when it has been opened and all has been listed, a line each.
   std::string listed(const char* menu) {
     emit find<QMenu>(menu).aboutToShow();
+    EXPECT_TRUE(testing::waitFor([&] { return find<DeviceWatch>().known().has_value(); }));
+    do bus_.settle();
+    while (bus_.isAsked());  // it lists no more; without a session
+    QCoreApplication::processEvents();
+    return shown(menu);
+  }
+  /// What stands there now.
+  std::string shown(const char* menu) {
     QString all;
     for (const QAction* item : find<QMenu>(menu).actions()) all += item->text() + "\n";
     return all.toStdString();
+  }
+  bool isShownInTime(const char* menu, const char* text) {
+    return testing::waitFor([&] { return shown(menu).find(text) != std::string::npos; });
   }
   /// For people to look at.
   void pictureOfMenu(const char* menu, const char* name) {

@@ -5,7 +5,6 @@
 #include <QMessageBox>
 
 #include "tests/app/window/devices/BusWindow.h"
-#include "tests/device/usb/bench/BoardOnUsb.h"
 
 namespace haptiv {
 namespace {
@@ -19,7 +18,7 @@ class DeviceMenus : public BusWindow {};
 
 TEST_F(DeviceMenus, ShowEachKindAndItsState) {
   EXPECT_THAT(listed("deviceMenu"), HasSubstr("None is plugged in"));
-  bus_.plug(std::make_shared<test::BoardOnUsb>(loadDeviceDescription("vishard10"), "B-0001"));
+  plugBoard("B-0001");
   plugFalcon();
   plugMouse();
   EXPECT_THAT(listed("deviceMenu"), AllOf(HasSubstr("Haptiv interface board B-0001 - not homed"),
