@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <ostream>
 #include <string>
 
 #include "device/DeviceDescription.h"
@@ -18,6 +19,10 @@ struct Candidate {
   std::string description = "vishard10";
   bool obeys = true;  ///< false: it moves as it did when it was recorded
 };
+
+inline void PrintTo(const Candidate& candidate, std::ostream* out) {
+  *out << candidate.name;
+}
 
 inline std::string nameOf(const testing::TestParamInfo<Candidate>& instance) {
   return instance.param.name;
