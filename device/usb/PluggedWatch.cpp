@@ -12,6 +12,7 @@ namespace haptiv {
 namespace {
 
 constexpr std::chrono::milliseconds kUntilWoken{-1};
+constexpr unsigned kListing = 1, kPaused = 2;
 
 /// The same device, not taken out since: another number is given each time that one is plugged in.
 bool isSame(const PluggedDevice& a, const PluggedDevice& b) {
@@ -33,25 +34,16 @@ PluggedWatch::~PluggedWatch() {
 }
 
 void PluggedWatch::look(const std::string& falconFirmware) {
-  {
-    const std::lock_guard lock(mutex_);
-    firmware_ = falconFirmware;
-    wanted_ = true;
-  }
+  firmware_.write(falconFirmware);
   events_.wake();
 }
 
 bool PluggedWatch::pause() {
-  const std::lock_guard lock(mutex_);
-  paused_ = true;
-  return !listing_;
+  return (state_.fetch_or(kPaused) & kListing) == 0;
 }
 
 void PluggedWatch::resume() {
-  {
-    const std::lock_guard lock(mutex_);
-    paused_ = false;
-  }
+  state_.fetch_and(~kPaused);
   events_.wake();
 }
 
@@ -62,10 +54,7 @@ void PluggedWatch::run(const std::stop_token& stop) {
       continue;
     }
     const Listing listing = list(stop);
-    {
-      const std::lock_guard lock(mutex_);
-      listing_ = false;
-    }
+    state_.fetch_and(~kListing);
     if (!stop.stop_requested()) listed_(listing);
   }
 }
@@ -74,21 +63,17 @@ void PluggedWatch::run(const std::stop_token& stop) {
 bool PluggedWatch::begins() {
   const bool arrived = hotPlug_ && std::exchange(hotPlug_->arrived, false);
   const bool departed = hotPlug_ && std::exchange(hotPlug_->departed, false);
-  const std::lock_guard lock(mutex_);
-  if (arrived || departed) wanted_ = true;
-  if (!wanted_ || paused_) return false;
+  const bool asked = firmware_.update();
+  wanted_ = wanted_ || arrived || departed || asked;
+  unsigned rests = 0;
+  if (!wanted_ || !state_.compare_exchange_strong(rests, kListing)) return false;
   wanted_ = false;
-  return listing_ = true;
+  return true;
 }
 
 PluggedWatch::Listing PluggedWatch::list(const std::stop_token& stop) {
-  std::string firmware;
-  {
-    const std::lock_guard lock(mutex_);
-    firmware = firmware_;
-  }
   try {
-    std::vector<PluggedDevice> devices = pluggedDevices(context_, firmware, stop);
+    std::vector<PluggedDevice> devices = pluggedDevices(context_, firmware_.read(), stop);
     recallSerials(devices);
     last_ = devices;
     return {std::move(devices), {}};

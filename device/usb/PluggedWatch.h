@@ -1,12 +1,13 @@
 #pragma once
 
+#include <atomic>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "device/realtime/TripleBuffer.h"
 #include "device/usb/PluggedDevices.h"
 #include "device/usb/libusb/UsbEvents.h"
 #include "device/usb/libusb/UsbHotPlug.h"
@@ -16,7 +17,7 @@ namespace haptiv {
 /// Lists what is plugged in, on a thread of its own: whenever it is asked to, and, where libusb is told of it, whenever
 /// something is plugged in or out. So nobody waits for a device that does not answer.
 ///
-/// Thread: all of it any, but for construction and destruction.
+/// Thread: one; it never waits but at the end.
 class PluggedWatch {
  public:
   struct Listing {
@@ -55,10 +56,9 @@ class PluggedWatch {
   usb::UsbEvents events_;
   std::optional<usb::UsbHotPlug> hotPlug_;  // nothing: libusb is not told
   std::vector<PluggedDevice> last_;
-
-  std::mutex mutex_;
-  std::string firmware_;
-  bool wanted_ = false, listing_ = false, paused_ = false;
+  bool wanted_ = false;                 // a list; the watch's thread alone knows
+  TripleBuffer<std::string> firmware_;  // written: a list is wanted
+  std::atomic<unsigned> state_ = 0;     // kListing, kPaused
 
   std::jthread thread_;  // last: it uses all of these
 };

@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 
 #include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
 
 #include "tests/device/usb/bench/BoardOnUsb.h"
 #include "tests/support/usb/VirtualBus.h"
