@@ -35,13 +35,32 @@ void MeshNeighbourhood::keepNear(std::size_t found, double reach) noexcept {
   for (std::size_t i = 0; i < found; ++i) {
     for (std::size_t k = 0; k < 3; ++k) fetch(scene_.walls[wall_[i]].shape.mesh->corner(triangle_[i], k));
   }
+  TwoDistances two;
   for (std::size_t i = 0; i < found; ++i) {
-    const Vector3 at = closest(wall_[i], triangle_[i], centre_);
-    if ((at - centre_).squaredNorm() > reach * reach) continue;
-    wall_[count_] = wall_[i];
-    triangle_[count_] = triangle_[i];
-    bound(count_++, centre_, at);
+    if (i % 2 == 0) measureTwo(centre_, twoFrom(i, found), two);
+    keep(i, two, i % 2, reach * reach);
   }
+}
+
+TwoTriangles MeshNeighbourhood::twoFrom(std::size_t first, std::size_t found) const noexcept {
+  TwoTriangles two;
+  for (std::size_t lane = 0; lane < 2; ++lane) {
+    const std::size_t i = std::min(first + lane, found - 1);
+    const TriangleMesh& mesh = *scene_.walls[wall_[i]].shape.mesh;
+    for (std::size_t k = 0; k < 3; ++k) two[lane][k] = &mesh.corner(triangle_[i], k);
+  }
+  return two;
+}
+
+/// Written in any case and then counted or not: nobody could foresee a jump.
+void MeshNeighbourhood::keep(std::size_t i, const TwoDistances& two, std::size_t lane, double most) noexcept {
+  const double squared = two.squared[lane];
+  const double distance = std::sqrt(squared), perLength = 1 / std::max(distance, std::numeric_limits<double>::min());
+  wall_[count_] = wall_[i];
+  triangle_[count_] = triangle_[i];
+  for (std::size_t axis = 0; axis < 3; ++axis) normal_[axis][count_] = two.away[axis][lane] * perLength;
+  offset_[count_] = distance - roundingAt(centre_);
+  count_ += squared <= most ? 1 : 0;
 }
 
 }  // namespace haptiv

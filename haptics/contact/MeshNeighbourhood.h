@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "haptics/meshes/TwoTriangles.h"
 #include "haptics/meshes/TrianglePoint.h"
 #include "haptics/scene/HapticScene.h"
 
@@ -66,6 +67,10 @@ class MeshNeighbourhood {
   void find(double likely, double certain) noexcept;
   /// Of the first `found` triangles, whose boxes are near centre_, keeps those that are no farther than `reach`.
   void keepNear(std::size_t found, double reach) noexcept;
+  /// The found triangles from one on; where there are only one, it twice.
+  TwoTriangles twoFrom(std::size_t first, std::size_t found) const noexcept;
+  /// Keeps the i-th triangle found, one of two, if the square of its distance is `most` at most [m^2].
+  void keep(std::size_t i, const TwoDistances& two, std::size_t lane, double most) noexcept;
 
   Vector3 closest(std::uint32_t wall, std::uint32_t triangle, const Vector3& p_W) const noexcept {
     const TriangleMesh& mesh = *scene_.walls[wall].shape.mesh;
@@ -83,9 +88,9 @@ class MeshNeighbourhood {
     const double distance = away.norm();
     const Vector3 normal = distance > 0 ? Vector3(away / distance) : Vector3::Zero();
     for (std::size_t axis = 0; axis < 3; ++axis) normal_[axis][i] = normal[static_cast<Eigen::Index>(axis)];
-    const double rounding = 4e-15 * p_W.cwiseAbs().maxCoeff();
-    offset_[i] = distance - normal.dot(p_W - centre_) - rounding;
+    offset_[i] = distance - normal.dot(p_W - centre_) - roundingAt(p_W);
   }
+  static double roundingAt(const Vector3& p_W) noexcept { return 4e-15 * p_W.cwiseAbs().maxCoeff(); }
 
   /// No kept triangle is nearer to p_W than this, each.
   void boundDistances(const Vector3& p_W, std::array<double, kMost>& least) const noexcept {
