@@ -1,5 +1,9 @@
 #include "haptics/contact/MeshNeighbourhood.h"
 
+#include <algorithm>
+#include <optional>
+#include <span>
+
 #include "haptics/index/Fetch.h"
 
 namespace haptiv {
@@ -20,14 +24,17 @@ void MeshNeighbourhood::find(double likely, double certain) noexcept {
       [&](std::uint32_t) { isEmpty_ = false; });
   if (isEmpty_) return;
   std::size_t found = 0;
-  search([&](const BoundingTree& tree, auto&& visit) { tree.forEachWithin(centre_, likely, visit); },
-         [&](std::uint32_t wall, std::uint32_t triangle) {
-           isKept_ = found < kMost;
-           if (!isKept_) return;
-           wall_[found] = wall;
-           triangle_[found++] = triangle;
-           fetch(scene_.walls[wall].shape.mesh->triangles[triangle]);
-         });
+  searchWalls(
+      scene_, [&](const BoundingTree& tree, auto&& visit) { tree.forEachWithin(centre_, likely, visit); },
+      [&](std::uint32_t wall) {
+        const TriangleMesh& mesh = *scene_.walls[wall].shape.mesh;
+        const std::optional<std::size_t> more =
+            mesh.tree.listWithin(centre_, likely, std::span(triangle_).subspan(found));
+        isKept_ = isKept_ && more;
+        if (!isKept_) return;
+        std::fill_n(wall_.begin() + found, *more, wall);
+        for (std::size_t end = found + *more; found < end; ++found) fetch(mesh.triangles[triangle_[found]]);
+      });
   if (isKept_) keepNear(found, likely);
 }
 
