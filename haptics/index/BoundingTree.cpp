@@ -28,7 +28,7 @@ std::optional<std::size_t> BoundingTree::listWithin(const Vector3& p_W, double r
   std::array<std::uint32_t, kLongWalk> nodes;
   const FloatBox query = outwards(p_W, p_W, origin_);
   const float most = widened(reach);
-  std::size_t listed = 0, known = 0;
+  std::size_t listed = 0, known = 0, fetched = 1;
   if (!nodes_.empty()) nodes[known++] = 0;
   for (std::size_t next = 0; next < known; ++next) {
     if (known + kWidth > nodes.size() || listed + kWidth > items.size()) return std::nullopt;
@@ -40,8 +40,8 @@ std::optional<std::size_t> BoundingTree::listWithin(const Vector3& p_W, double r
       listed += isNear & isItem;
       nodes[known] = child;
       known += isNear & ~isItem;
-      fetch(nodes_[isNear & ~isItem ? child : 0]);
     }
+    for (; fetched < known; ++fetched) fetch(nodes_[nodes[fetched]]);
   }
   return listed;
 }
