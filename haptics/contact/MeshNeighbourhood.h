@@ -12,6 +12,12 @@
 
 namespace haptiv {
 
+/// Where normal . x <= offset: what is wholly in there is out of the way. A normal of zero and -infinity: nothing is.
+struct OutOfTheWay {
+  Vector3 normal = Vector3::Zero();
+  double offset = -std::numeric_limits<double>::infinity();  ///< [m]
+};
+
 /// The triangles of the scene's mesh walls that the proxy may meet within a tick. Lives for that tick.
 ///
 /// What is near the proxy's way is found once and kept; where that is not enough (a long way, very many triangles), the
@@ -53,10 +59,10 @@ class MeshNeighbourhood {
 
   /// Calls visit(start, closest) for the triangles that a ball may touch on its straight way before it has gone `free`,
   /// which the visitor may shorten: before `start` it does not touch this one, and closest(p_W) is the triangle's point
-  /// nearest to a place. The one that seems to be met first comes first.
+  /// nearest to a place. The one that seems to be met first comes first; those out of the way do not come at all.
   template <typename Visit>
-  void forEachAlong(const Vector3& from_W, const Vector3& direction, double radius, const double& free,
-                    Visit&& visit) noexcept;
+  void forEachAlong(const Vector3& from_W, const Vector3& direction, double radius, const OutOfTheWay& out,
+                    const double& free, Visit&& visit) noexcept;
 
  private:
   static constexpr std::size_t kMost = 192;
@@ -75,6 +81,12 @@ class MeshNeighbourhood {
   Vector3 closest(std::uint32_t wall, std::uint32_t triangle, const Vector3& p_W) const noexcept {
     const TriangleMesh& mesh = *scene_.walls[wall].shape.mesh;
     return closestOnTriangle(p_W, mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2));
+  }
+
+  bool isOut(std::uint32_t wall, std::uint32_t triangle, const OutOfTheWay& out) const noexcept {
+    const TriangleMesh& mesh = *scene_.walls[wall].shape.mesh;
+    const auto height = [&](std::size_t corner) { return out.normal.dot(mesh.corner(triangle, corner)); };
+    return std::max({height(0), height(1), height(2)}) <= out.offset;
   }
 
   /// The kept triangle's point nearest to p_W; and from now on its bound is the one from there.
@@ -178,13 +190,14 @@ void MeshNeighbourhood::nearest(const Vector3& p_W, double reach, Visit&& visit)
 }
 
 template <typename Visit>
-void MeshNeighbourhood::forEachAlong(const Vector3& from_W, const Vector3& direction, double radius, const double& free,
-                                     Visit&& visit) noexcept {
+void MeshNeighbourhood::forEachAlong(const Vector3& from_W, const Vector3& direction, double radius,
+                                     const OutOfTheWay& out, const double& free, Visit&& visit) noexcept {
   const Vector3 to_W = from_W + free * direction;
   if (!areKept(from_W, radius) || !areKept(to_W, radius)) {  // a ball is convex: what is between is within, too
     search([&](const BoundingTree& tree, auto&& found) { tree.forEachAlong(from_W, to_W, radius, found); },
            [&](std::uint32_t wall, std::uint32_t triangle) {
-             visit(0.0, [&](const Vector3& p) { return closest(wall, triangle, p); });
+             if (isOut(wall, triangle, out)) return;
+           visit(0.0, [&](const Vector3& p) { return closest(wall, triangle, p); });
            });
     return;
   }
@@ -200,7 +213,7 @@ void MeshNeighbourhood::forEachAlong(const Vector3& from_W, const Vector3& direc
     if (start[i] < start[first]) first = i;
   }
   const auto meet = [&](std::size_t i) {
-    if (start[i] < free) visit(start[i], [&](const Vector3& p) { return measure(i, p); });
+    if (start[i] < free && !isOut(wall_[i], triangle_[i], out)) visit(start[i], [&](const Vector3& p) { return measure(i, p); });
   };
   if (count_ > 0) meet(first);
   for (std::size_t i = 0; i < count_; ++i) {
