@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "haptics/meshes/TwoTriangles.h"
 #include "haptics/meshes/TrianglePoint.h"
+#include "haptics/meshes/TwoTriangles.h"
 #include "haptics/scene/HapticScene.h"
 
 namespace haptiv {
@@ -120,6 +120,16 @@ class MeshNeighbourhood {
   template <typename Find, typename Visit>
   void search(Find&& find, Visit&& visit) const noexcept;
 
+  /// The first of the smallest, found without jumps that cannot be foreseen; 0 where there is none.
+  std::size_t smallest(const std::array<double, kMost>& of) const noexcept {
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < count_; ++i) least = of[i] < least ? of[i] : least;
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (of[i] == least) return i;
+    }
+    return 0;
+  }
+
   /// Whether all that are within `reach` of p_W are kept.
   bool areKept(const Vector3& p_W, double reach) const noexcept {
     return isKept_ && reach + (p_W - centre_).norm() <= reach_;
@@ -180,7 +190,7 @@ void MeshNeighbourhood::nearest(const Vector3& p_W, double reach, Visit&& visit)
   boundDistances(p_W, least);
   Vector3 at = Vector3::Zero();
   for (std::size_t last = count_;;) {
-    const auto i = static_cast<std::size_t>(std::min_element(least.begin(), least.begin() + count_) - least.begin());
+    const std::size_t i = smallest(least);
     if (!(least[i] <= reach)) return;
     if (i == last) return visit(wall_[i], triangle_[i], at);
     at = measure(i, p_W);
@@ -197,23 +207,21 @@ void MeshNeighbourhood::forEachAlong(const Vector3& from_W, const Vector3& direc
     search([&](const BoundingTree& tree, auto&& found) { tree.forEachAlong(from_W, to_W, radius, found); },
            [&](std::uint32_t wall, std::uint32_t triangle) {
              if (isOut(wall, triangle, out)) return;
-           visit(0.0, [&](const Vector3& p) { return closest(wall, triangle, p); });
+             visit(0.0, [&](const Vector3& p) { return closest(wall, triangle, p); });
            });
     return;
   }
   std::array<double, kMost> start;
   boundDistances(from_W, start);
-  std::size_t first = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     const double approach =
         -(normal_[0][i] * direction.x() + normal_[1][i] * direction.y() + normal_[2][i] * direction.z());
     start[i] = std::max(0.0, (start[i] - radius) / std::max(approach, std::numeric_limits<double>::min()));
   }
-  for (std::size_t i = 1; i < count_; ++i) {
-    if (start[i] < start[first]) first = i;
-  }
+  const std::size_t first = smallest(start);
   const auto meet = [&](std::size_t i) {
-    if (start[i] < free && !isOut(wall_[i], triangle_[i], out)) visit(start[i], [&](const Vector3& p) { return measure(i, p); });
+    if (start[i] < free && !isOut(wall_[i], triangle_[i], out))
+      visit(start[i], [&](const Vector3& p) { return measure(i, p); });
   };
   if (count_ > 0) meet(first);
   for (std::size_t i = 0; i < count_; ++i) {
