@@ -122,12 +122,11 @@ class MeshNeighbourhood {
 
   /// The first of the smallest, found without jumps that cannot be foreseen; 0 where there is none.
   std::size_t smallest(const std::array<double, kMost>& of) const noexcept {
-    double least = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < count_; ++i) least = of[i] < least ? of[i] : least;
-    for (std::size_t i = 0; i < count_; ++i) {
-      if (of[i] == least) return i;
-    }
-    return 0;
+    double least = of[0];
+    for (std::size_t i = 1; i < count_; ++i) least = of[i] < least ? of[i] : least;
+    std::size_t at = 0;
+    while (at + 1 < count_ && of[at] != least) ++at;
+    return at;
   }
 
   /// Whether all that are within `reach` of p_W are kept.
@@ -211,6 +210,7 @@ void MeshNeighbourhood::forEachAlong(const Vector3& from_W, const Vector3& direc
            });
     return;
   }
+  if (count_ == 0) return;
   std::array<double, kMost> start;
   boundDistances(from_W, start);
   for (std::size_t i = 0; i < count_; ++i) {
@@ -223,7 +223,7 @@ void MeshNeighbourhood::forEachAlong(const Vector3& from_W, const Vector3& direc
     if (start[i] < free && !isOut(wall_[i], triangle_[i], out))
       visit(start[i], [&](const Vector3& p) { return measure(i, p); });
   };
-  if (count_ > 0) meet(first);
+  meet(first);
   for (std::size_t i = 0; i < count_; ++i) {
     if (i != first) meet(i);
   }
