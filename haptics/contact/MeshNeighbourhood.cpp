@@ -62,7 +62,7 @@ TwoTriangles MeshNeighbourhood::twoFrom(std::size_t first, std::size_t found) co
 /// Written in any case and then counted or not: nobody could foresee a jump.
 void MeshNeighbourhood::keep(std::size_t i, const TwoDistances& two, std::size_t lane, double most) noexcept {
   const double squared = two.squared[lane];
-  const double distance = std::sqrt(squared), perLength = 1 / std::max(distance, std::numeric_limits<double>::min());
+  const double distance = std::sqrt(squared), perLength = distance > 0 ? 1 / distance : 0;
   wall_[count_] = wall_[i];
   triangle_[count_] = triangle_[i];
   for (std::size_t axis = 0; axis < 3; ++axis) normal_[axis][count_] = two.away[axis][lane] * perLength;
