@@ -7,9 +7,16 @@
 #include <limits>
 
 #include "haptics/meshes/TrianglePoint.h"
+#include "haptics/meshes/TwoTriangles.h"
 #include "haptics/scene/HapticScene.h"
 
 namespace haptiv {
+
+/// Where normal . x <= offset: what is wholly in there is out of the way. A normal of zero and -infinity: nothing is.
+struct OutOfTheWay {
+  Vector3 normal = Vector3::Zero();
+  double offset = -std::numeric_limits<double>::infinity();  ///< [m]
+};
 
 /// The triangles of the scene's mesh walls that the proxy may meet within a tick. Lives for that tick.
 ///
@@ -52,10 +59,10 @@ class MeshNeighbourhood {
 
   /// Calls visit(start, closest) for the triangles that a ball may touch on its straight way before it has gone `free`,
   /// which the visitor may shorten: before `start` it does not touch this one, and closest(p_W) is the triangle's point
-  /// nearest to a place. The one that seems to be met first comes first.
+  /// nearest to a place. The one that seems to be met first comes first; those out of the way do not come at all.
   template <typename Visit>
-  void forEachAlong(const Vector3& from_W, const Vector3& direction, double radius, const double& free,
-                    Visit&& visit) noexcept;
+  void forEachAlong(const Vector3& from_W, const Vector3& direction, double radius, const OutOfTheWay& out,
+                    const double& free, Visit&& visit) noexcept;
 
  private:
   static constexpr std::size_t kMost = 192;
@@ -66,10 +73,20 @@ class MeshNeighbourhood {
   void find(double likely, double certain) noexcept;
   /// Of the first `found` triangles, whose boxes are near centre_, keeps those that are no farther than `reach`.
   void keepNear(std::size_t found, double reach) noexcept;
+  /// The found triangles from one on; where there are only one, it twice.
+  TwoTriangles twoFrom(std::size_t first, std::size_t found) const noexcept;
+  /// Keeps the i-th triangle found, one of two, if the square of its distance is `most` at most [m^2].
+  void keep(std::size_t i, const TwoDistances& two, std::size_t lane, double most) noexcept;
 
   Vector3 closest(std::uint32_t wall, std::uint32_t triangle, const Vector3& p_W) const noexcept {
     const TriangleMesh& mesh = *scene_.walls[wall].shape.mesh;
     return closestOnTriangle(p_W, mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2));
+  }
+
+  bool isOut(std::uint32_t wall, std::uint32_t triangle, const OutOfTheWay& out) const noexcept {
+    const TriangleMesh& mesh = *scene_.walls[wall].shape.mesh;
+    const auto height = [&](std::size_t corner) { return out.normal.dot(mesh.corner(triangle, corner)); };
+    return std::max({height(0), height(1), height(2)}) <= out.offset;
   }
 
   /// The kept triangle's point nearest to p_W; and from now on its bound is the one from there.
@@ -83,9 +100,9 @@ class MeshNeighbourhood {
     const double distance = away.norm();
     const Vector3 normal = distance > 0 ? Vector3(away / distance) : Vector3::Zero();
     for (std::size_t axis = 0; axis < 3; ++axis) normal_[axis][i] = normal[static_cast<Eigen::Index>(axis)];
-    const double rounding = 4e-15 * p_W.cwiseAbs().maxCoeff();
-    offset_[i] = distance - normal.dot(p_W - centre_) - rounding;
+    offset_[i] = distance - normal.dot(p_W - centre_) - roundingAt(p_W);
   }
+  static double roundingAt(const Vector3& p_W) noexcept { return 4e-15 * p_W.cwiseAbs().maxCoeff(); }
 
   /// No kept triangle is nearer to p_W than this, each.
   void boundDistances(const Vector3& p_W, std::array<double, kMost>& least) const noexcept {
@@ -102,6 +119,15 @@ class MeshNeighbourhood {
   /// Calls visit(wall, triangle) for the triangles that it finds in all trees.
   template <typename Find, typename Visit>
   void search(Find&& find, Visit&& visit) const noexcept;
+
+  /// The first of the smallest, found without jumps that cannot be foreseen; 0 where there is none.
+  std::size_t smallest(const std::array<double, kMost>& of) const noexcept {
+    double least = of[0];
+    for (std::size_t i = 1; i < count_; ++i) least = of[i] < least ? of[i] : least;
+    std::size_t at = 0;
+    while (at + 1 < count_ && of[at] != least) ++at;
+    return at;
+  }
 
   /// Whether all that are within `reach` of p_W are kept.
   bool areKept(const Vector3& p_W, double reach) const noexcept {
@@ -163,7 +189,7 @@ void MeshNeighbourhood::nearest(const Vector3& p_W, double reach, Visit&& visit)
   boundDistances(p_W, least);
   Vector3 at = Vector3::Zero();
   for (std::size_t last = count_;;) {
-    const auto i = static_cast<std::size_t>(std::min_element(least.begin(), least.begin() + count_) - least.begin());
+    const std::size_t i = smallest(least);
     if (!(least[i] <= reach)) return;
     if (i == last) return visit(wall_[i], triangle_[i], at);
     at = measure(i, p_W);
@@ -173,31 +199,31 @@ void MeshNeighbourhood::nearest(const Vector3& p_W, double reach, Visit&& visit)
 }
 
 template <typename Visit>
-void MeshNeighbourhood::forEachAlong(const Vector3& from_W, const Vector3& direction, double radius, const double& free,
-                                     Visit&& visit) noexcept {
+void MeshNeighbourhood::forEachAlong(const Vector3& from_W, const Vector3& direction, double radius,
+                                     const OutOfTheWay& out, const double& free, Visit&& visit) noexcept {
   const Vector3 to_W = from_W + free * direction;
   if (!areKept(from_W, radius) || !areKept(to_W, radius)) {  // a ball is convex: what is between is within, too
     search([&](const BoundingTree& tree, auto&& found) { tree.forEachAlong(from_W, to_W, radius, found); },
            [&](std::uint32_t wall, std::uint32_t triangle) {
+             if (isOut(wall, triangle, out)) return;
              visit(0.0, [&](const Vector3& p) { return closest(wall, triangle, p); });
            });
     return;
   }
+  if (count_ == 0) return;
   std::array<double, kMost> start;
   boundDistances(from_W, start);
-  std::size_t first = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     const double approach =
         -(normal_[0][i] * direction.x() + normal_[1][i] * direction.y() + normal_[2][i] * direction.z());
     start[i] = std::max(0.0, (start[i] - radius) / std::max(approach, std::numeric_limits<double>::min()));
   }
-  for (std::size_t i = 1; i < count_; ++i) {
-    if (start[i] < start[first]) first = i;
-  }
+  const std::size_t first = smallest(start);
   const auto meet = [&](std::size_t i) {
-    if (start[i] < free) visit(start[i], [&](const Vector3& p) { return measure(i, p); });
+    if (start[i] < free && !isOut(wall_[i], triangle_[i], out))
+      visit(start[i], [&](const Vector3& p) { return measure(i, p); });
   };
-  if (count_ > 0) meet(first);
+  meet(first);
   for (std::size_t i = 0; i < count_; ++i) {
     if (i != first) meet(i);
   }

@@ -52,11 +52,11 @@ void findTouched(const HapticScene& scene, MeshNeighbourhood& meshes, const Vect
 }
 
 double freeLength(MeshNeighbourhood& meshes, const Vector3& from_W, const Vector3& direction, double length,
-                  double radius) noexcept {
+                  double radius, const OutOfTheWay& out) noexcept {
   constexpr int kNewtonSteps = 40;
   const double tolerance = touchTolerance(from_W, radius);
   double free = length;
-  meshes.forEachAlong(from_W, direction, radius, free, [&](double start, auto&& closest) {
+  meshes.forEachAlong(from_W, direction, radius, out, free, [&](double start, auto&& closest) {
     double gone = start;
     for (int step = 0; step < kNewtonSteps; ++step) {
       const Vector3 p = from_W + gone * direction;

@@ -22,8 +22,11 @@ void findTouched(const HapticScene& scene, MeshNeighbourhood& meshes, const Vect
 /// grazes (to within a thousandth of the way) do not stop it.
 ///
 /// The distance to a triangle is convex along the way, so Newton's steps come to the first touch from before it, and
-/// never pass it. Realtime-safe: yes.
+/// never pass it. Where the ball goes close by many triangles of a curved surface, these steps are many and small: the
+/// caller says which ones it need not try.
+/// @param out  what the whole way is farther away from than a ball's radius, to within touchTolerance
+/// Realtime-safe: yes.
 double freeLength(MeshNeighbourhood& meshes, const Vector3& from_W, const Vector3& direction, double length,
-                  double radius) noexcept;
+                  double radius, const OutOfTheWay& out) noexcept;
 
 }  // namespace haptiv

@@ -30,6 +30,16 @@ double stride(const MeshNeighbourhood& meshes, const Vector3& from, const Vector
   return known > kStride * radius ? std::min(length, 0.999 * known) : length;
 }
 
+/// What is behind the ball, all the way to the target, in the direction in which the goal is held back: it is not met.
+/// Of a surface that bulges, this is all of it but for what the ball touches: it goes along its tangent.
+OutOfTheWay behind(const Vector3& from, const Vector3& target, const Vector3& goal, double radius) noexcept {
+  const Vector3 back = target - goal;
+  const double held = back.norm();
+  if (!(held > kStride * radius)) return {};
+  const Vector3 normal = back / held;
+  return {normal, std::min(normal.dot(from), normal.dot(target)) - radius + touchTolerance(target, radius)};
+}
+
 /// Without meshes there is nothing to meet on the way.
 void slideAlongWalls(const Vector3& goal, Proxy& proxy) noexcept {
   proxy.touching.count = 0;
@@ -66,7 +76,8 @@ void slide(const HapticScene& scene, MeshNeighbourhood& meshes, const Vector3& g
     if (!(allowed > (isHeld ? enoughAfter(pass) * radius : 0)) || pass > kMostPasses) break;
     const Vector3 direction = step / length;
     const double ahead = stride(meshes, proxy.position, direction, allowed, radius);
-    const double gone = freeLength(meshes, proxy.position, direction, ahead, radius);
+    const double gone =
+        freeLength(meshes, proxy.position, direction, ahead, radius, behind(proxy.position, target, goal, radius));
     proxy.position = gone == length ? target : Vector3(proxy.position + gone / length * step);
     if (isHeld || proxy.isWedged) proxy.way -= gone;
     if (!(gone > 0)) break;  // in a corner so sharp that its planes do not settle

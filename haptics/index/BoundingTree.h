@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -68,6 +69,12 @@ class BoundingTree {
   template <typename Visit>
   void forEachWithin(const Vector3& p_W, double reach, Visit&& visit) const noexcept;
 
+  /// Lists the same items level by level: most of what is read of the tree is then on its way from memory at once, and
+  /// nothing is guessed about what is near. Returns their number, or nothing where there are more, or where the walk is
+  /// a long one.
+  std::optional<std::size_t> listWithin(const Vector3& p_W, double reach,
+                                        std::span<std::uint32_t> items) const noexcept;
+
   /// Calls visit(item) for the boxes that a ball of radius `reach` may touch on the straight way from one place to
   /// another: all that it touches, and a few that are near the way.
   template <typename Visit>
@@ -82,6 +89,11 @@ class BoundingTree {
  private:
   static constexpr float kRounding = 1 - 1e-5F;                 ///< of squared distances, with room to spare
   static constexpr std::size_t kStack = 3 * kMaxTreeDepth + 1;  ///< each level takes one place and leaves four
+
+  /// Square of a reach as BoxNode::within wants it, with room for what single precision rounds [m^2].
+  static float widened(double reach) noexcept {
+    return index_detail::roundedUp(std::min(reach * reach / kRounding, 0.5 * FloatBox::kFar * FloatBox::kFar));
+  }
 
   template <typename Touching, typename Visit>
   void walk(Touching&& touching, Visit&& visit) const noexcept;
@@ -114,8 +126,7 @@ void BoundingTree::walk(Touching&& touching, Visit&& visit) const noexcept {
 template <typename Visit>
 void BoundingTree::forEachWithin(const Vector3& p_W, double reach, Visit&& visit) const noexcept {
   const FloatBox query = outwards(p_W, p_W, origin_);
-  const float most =
-      index_detail::roundedUp(std::min(reach * reach / kRounding, 0.5 * FloatBox::kFar * FloatBox::kFar));
+  const float most = widened(reach);
   const auto touching = [&](const BoxNode& node) { return node.within(query, most); };
   walk(touching, visit);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -57,6 +58,29 @@ TEST_P(BoundingTreeAt, FindsWhatAFlatScanFinds) {
       }
     }
   });
+}
+
+TEST_P(BoundingTreeAt, ListsWhatItVisitsWithinAReachOrNothing) {
+  const double size = GetParam().size;
+  int listed = 0, refused = 0;
+  forRandomTrees([&](Random& random, const std::vector<Bounds>&, const BoundingTree& tree) {
+    for (int query = 0; query < 100; ++query) {
+      const Vector3 p = anywhere(random);
+      const double reach = size * std::pow(10, random.between(-4, 0.5));
+      std::vector<std::uint32_t> visited;
+      tree.forEachWithin(p, reach, [&](std::uint32_t item) { visited.push_back(item); });
+      std::array<std::uint32_t, 100> items;
+      const auto count = tree.listWithin(p, reach, items);
+      ++(count ? listed : refused);
+      if (!count) {
+        EXPECT_GT(tree.size(), 60u);
+        continue;
+      }
+      EXPECT_EQ(sorted({items.begin(), items.begin() + *count}), sorted(visited));
+    }
+  });
+  EXPECT_GT(listed, 500);
+  EXPECT_GT(refused, 0);
 }
 
 TEST_P(BoundingTreeAt, MissesNothingOnABallsWay) {

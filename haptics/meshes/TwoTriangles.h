@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+
+#include "device/types.h"
+
+namespace haptiv {
+
+/// Two numbers that are computed side by side.
+using Pair = double __attribute__((vector_size(16)));
+
+/// Two triangles, corner by corner.
+using TwoTriangles = std::array<std::array<const Vector3*, 3>, 2>;
+
+/// How a place lies to two triangles.
+struct TwoDistances {
+  std::array<Pair, 3> away;  ///< by axis, from the nearest point of the triangle to the place [m]
+  Pair squared;              ///< of the distance [m^2]
+};
+
+/// closestOnTriangle of two triangles in the time of one: no jumps, which would depend on where the place happens to
+/// lie and could not be foreseen. The same up to rounding. Realtime-safe: yes.
+void measureTwo(const Vector3& p, const TwoTriangles& triangles, TwoDistances& distances) noexcept;
+
+}  // namespace haptiv
