@@ -48,7 +48,8 @@ void keepHolding(const HapticScene& scene, const Proxy& proxy, const NearSurface
 }
 
 /// Where no mesh is near: the proxy goes with the ball, and stays outside of the walls of the tick before, plane by
-/// plane (Hildreth's row-action method, from their shares). That is near enough to find out which walls are around.
+/// plane (a round of Hildreth's row-action method, from their shares). That is near enough to find out which walls are
+/// around.
 void followWalls(const ContactSet& before, const Vector3& goal, Proxy& proxy) noexcept {
   const bool isFree =
       std::none_of(before.begin(), before.end(), [&](const Contact& c) { return c.offset > c.normal.dot(goal); });
@@ -56,17 +57,10 @@ void followWalls(const ContactSet& before, const Vector3& goal, Proxy& proxy) no
     proxy.position = goal;
     return;
   }
-  const int rounds = before.count > 1 ? 2 : 1;
-  std::array<double, ContactSet::kMaxContacts> share;
-  std::transform(before.begin(), before.end(), share.begin(), [](const Contact& contact) { return contact.depth; });
   Vector3 place = proxy.position + goal - before.goal;
-  for (int round = 0; round < rounds; ++round) {
-    double* pushed = share.data();
-    for (const Contact& contact : before) {
-      const double next = std::max(0.0, *pushed + contact.offset - contact.normal.dot(place));
-      place += (next - *pushed) * contact.normal;
-      *pushed++ = next;
-    }
+  for (const Contact& contact : before) {
+    const double next = std::max(0.0, contact.depth + contact.offset - contact.normal.dot(place));
+    place += (next - contact.depth) * contact.normal;
   }
   proxy.goTowards(place);
 }
