@@ -43,7 +43,6 @@ class RememberedBoxes {
 
  private:
   static constexpr std::size_t kNodesAtOnce = 1;  ///< of the tree, in a call
-  static constexpr std::size_t kBusy = 2;         ///< boxes found; who has more to measure, gathers nothing
   static constexpr FloatBox kNowhere{{1, 1, 1}, {-1, -1, -1}};
   using Items = std::array<std::uint32_t, GatheredBoxes::kMost * BoxNode::kWidth>;
 
@@ -55,8 +54,8 @@ class RememberedBoxes {
   [[gnu::noinline]] bool lookAhead(const BoundingTree& tree, const FloatBox& query, const Vector3& p_W, double reach,
                                    const Ahead& ahead, Remembered&& remembered) noexcept {
     const bool isInside = known().place().holds(query);
-    const bool isBusy = isInside && (founds_ > kBusy || !known().fits());
-    if (!(ahead.margin > 0) || isBusy) return isInside && known().fits();
+    const bool isTooMuch = isInside && !known().fits();
+    if (!(ahead.margin > 0) || isTooMuch) return isInside && known().fits();
     const std::size_t nodes = isInside ? kNodesAtOnce : std::numeric_limits<std::size_t>::max();
     GatheredBoxes& next = gathered_[1 - now_];
     if (!isGathering_ || !(isInside || next.place().holds(query))) begin(tree, p_W, reach, ahead);
