@@ -16,6 +16,9 @@ struct FloatBox {
   std::array<float, 3> low;
   std::array<float, 3> high;
 
+  /// Holds no box.
+  static constexpr FloatBox nowhere() noexcept { return {{1, 1, 1}, {-1, -1, -1}}; }
+
   bool holds(const FloatBox& other) const noexcept {
     bool does = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -64,7 +64,7 @@ class GatheredBoxes {
     return true;
   }
 
-  FloatBox place_{{1, 1, 1}, {-1, -1, -1}};  ///< at first, none
+  FloatBox place_ = FloatBox::nowhere();
   std::array<BoxNode, kMost> node_{};
   std::size_t boxes_ = 0;
   bool fits_ = true;

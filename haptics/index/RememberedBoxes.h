@@ -43,40 +43,41 @@ class RememberedBoxes {
 
  private:
   static constexpr std::size_t kNodesAtOnce = 1;  ///< of the tree, in a call
-  static constexpr FloatBox kNowhere{{1, 1, 1}, {-1, -1, -1}};
   using Items = std::array<std::uint32_t, GatheredBoxes::kMost * BoxNode::kWidth>;
 
   const GatheredBoxes& known() const noexcept { return gathered_[now_]; }
 
-  /// Gathers what lies ahead: a little of it, or where the query is outside of what is known, all. Returns whether the
-  /// query is within what is known now.
+  /// Gathers what lies ahead, and returns whether the query is within what is known now.
   template <typename Remembered>
   [[gnu::noinline]] bool lookAhead(const BoundingTree& tree, const FloatBox& query, const Vector3& p_W, double reach,
                                    const Ahead& ahead, Remembered&& remembered) noexcept {
     const bool isInside = known().place().holds(query);
     const bool isTooMuch = isInside && !known().fits();
-    if (!(ahead.margin > 0) || isTooMuch) return isInside && known().fits();
+    if (ahead.margin > 0 && !isTooMuch) gather(tree, query, isInside, p_W, reach, ahead, remembered);
+    return known().fits() && known().place().holds(query);
+  }
+
+  /// A little of what lies ahead, or where the query is outside of what is known, all.
+  template <typename Remembered>
+  void gather(const BoundingTree& tree, const FloatBox& query, bool isInside, const Vector3& p_W, double reach,
+              const Ahead& ahead, Remembered&& remembered) noexcept {
     const std::size_t nodes = isInside ? kNodesAtOnce : std::numeric_limits<std::size_t>::max();
     GatheredBoxes& next = gathered_[1 - now_];
-    if (!isGathering_ || !(isInside || next.place().holds(query))) begin(tree, p_W, reach, ahead);
+    if (next.isComplete() || !(isInside || next.place().holds(query))) begin(tree, p_W, reach, ahead);
     next.goOn(tree, nodes, remembered);
     if (next.isComplete() && !next.fits() && !isSmall_) {
       begin(tree, p_W, reach, {ahead.margin});
       next.goOn(tree, nodes, remembered);
     }
-    if (next.isComplete()) {
-      now_ = 1 - now_;
-      isGathering_ = false;
-      inner_ = known().fits() ? innerNext_ : kNowhere;
-    }
-    return known().fits() && known().place().holds(query);
+    if (!next.isComplete()) return;
+    now_ = 1 - now_;
+    inner_ = known().fits() ? innerNext_ : FloatBox::nowhere();
   }
 
   void begin(const BoundingTree& tree, const Vector3& p_W, double reach, const Ahead& ahead) noexcept {
     constexpr double kInner = 0.75;
     gathered_[1 - now_].start(tree, tree.along(p_W, p_W + ahead.way, reach + ahead.margin));
     innerNext_ = tree.along(p_W, p_W + kInner * ahead.way, reach + kInner * ahead.margin);
-    isGathering_ = true;
     isSmall_ = ahead.way.isZero(0);
   }
 
@@ -99,11 +100,11 @@ class RememberedBoxes {
     founds_ = founds;
   }
 
-  FloatBox inner_ = kNowhere;  ///< while a query is within it, there is nothing to gather
-  FloatBox innerNext_ = kNowhere;
+  FloatBox inner_ = FloatBox::nowhere();  ///< while a query is within it, there is nothing to gather
+  FloatBox innerNext_ = FloatBox::nowhere();
   std::array<GatheredBoxes, 2> gathered_;
-  std::size_t now_ = 0;  ///< which of them is known; the other one is being gathered
-  bool isGathering_ = false;
+  std::size_t now_ =
+      0;  ///< which of them is known; the other one is gathered, until it is complete and takes its place
   bool isSmall_ = false;  ///< what is gathered is around a place, and not on a way
   Items found_{};
   std::size_t founds_ = 0;
