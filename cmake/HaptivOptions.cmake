@@ -6,7 +6,8 @@ target_compile_options(haptiv_options INTERFACE
   -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Woverloaded-virtual
   $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>  # what another file declares is no shadow
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 sees overlaps in std::string that are none (PR 105651)
-  -ffp-contract=off)  # the same bits from every build: a log must re-simulate
+  -ffp-contract=off  # the same bits from every build: a log must re-simulate
+  -fno-math-errno)  # nobody asks errno about a square root
 if(HAPTIV_WARNINGS_AS_ERRORS)
   target_compile_options(haptiv_options INTERFACE -Werror)
 endif()

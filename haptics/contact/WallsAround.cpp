@@ -1,48 +1,58 @@
 #include "haptics/contact/WallsAround.h"
 
+#include <algorithm>
+
+#include "haptics/contact/MeasuredWalls.h"
 #include "haptics/index/Fetch.h"
-#include "haptics/scene/NearShapes.h"
 
 namespace haptiv {
 namespace {
 
-/// Drops the farthest if `found` is nearer; of equally far ones, the last.
-[[gnu::noinline]] bool makeRoom(NearSurfaces& near, const NearSurface& found) noexcept {
-  std::size_t farthest = 0;
-  for (std::size_t i = 1; i < near.count; ++i) {
-    if (near.surface[i].distance >= near.surface[farthest].distance) farthest = i;
-  }
-  const NearSurface& last = near.surface[farthest];
-  if (found.distance > last.distance || (found.distance == last.distance && found.wall > last.wall)) return false;
-  --near.count;
-  for (std::size_t i = farthest; i < near.count; ++i) near.surface[i] = near.surface[i + 1];
-  return true;
-}
+/// Which walls are remembered from tick to tick.
+struct WallsToRemember {
+  const HapticScene& scene;
+  const BallCourse& course;
 
-/// The same ones in whatever order they are found.
-[[gnu::always_inline]] inline void takeNear(NearSurfaces& near, const NearSurface& found) noexcept {
-  if (near.count == NearSurfaces::kMost && !makeRoom(near, found)) return;
-  std::size_t at = near.count++;
-  for (; at > 0 && near.surface[at - 1].wall > found.wall; --at) near.surface[at] = near.surface[at - 1];
-  near.surface[at] = found;
+  /// Somewhat farther than they are felt, and a few radii ahead of the ball; not where it is so fast that it would soon
+  /// have left them behind.
+  RememberedBoxes::Ahead ahead() const noexcept {
+    constexpr double kMargin = 2.5, kAhead = 6, kHaste = 0.25;  // of the radius
+    constexpr double kLess = 0.25;                              // of the way ahead: the margin beside it
+    constexpr double kTicks = 256;
+    const double radius = course.radius, most = kAhead * radius;
+    if (!(course.step.squaredNorm() < kHaste * kHaste * radius * radius)) return {};
+    const Vector3 way = (kTicks * course.step).cwiseMax(-most).cwiseMin(most);
+    return {kMargin * radius - kLess * way.cwiseAbs().maxCoeff(), way};
+  }
+  /// It will be measured.
+  void gathered(std::uint32_t item) const noexcept { fetch(scene.wallIndex.entries[item]); }
+  /// It may soon be touched.
+  std::uint32_t number(std::uint32_t item) const noexcept {
+    const std::uint32_t wall = scene.wallIndex.entries[item].shape;
+    fetch(scene.walls[wall].id);
+    fetch(scene.walls[wall].surface);
+    return wall;
+  }
+};
+
+/// Where they are not remembered.
+[[gnu::noinline]] void searchTree(const ShapeIndex& index, const Vector3& place, double reach,
+                                  MeasuredWalls& walls) noexcept {
+  index.tree.forEachNear(place, reach, [&](std::uint32_t item) { walls.measure(index.entries[item]); });
 }
 
 }  // namespace
 
-void findWallsAround(const HapticScene& scene, const Vector3& place, double reach, RememberedBoxes& boxes,
-                     const RememberedBoxes::Ahead& ahead, NearSurfaces& near) noexcept {
-  near.count = 0;
-  const auto remembered = [&](std::uint32_t item) { fetch(scene.wallIndex.entries[item]); };
-  const auto search = [&](const BoundingTree& tree, auto&& found) {
-    boxes.forEachNear(tree, place, reach, ahead, found, remembered);
-  };
-  const auto isExact = [](const Shape& shape) { return shape.kind != Shape::Kind::mesh; };
-  measureNear(scene.walls, scene.wallIndex, place, reach, search, isExact,
-              [&](std::size_t wall, const SurfacePoint& surface) {
-                fetch(scene.walls[wall].id);  // it may soon be touched
-                fetch(scene.walls[wall].surface);
-                takeNear(near, {static_cast<std::int32_t>(wall), surface.face, surface.distance, surface.normal});
-              });
+void findWallsAround(const HapticScene& scene, const Vector3& place, double reach, const BallCourse& course,
+                     RememberedBoxes& boxes, NearSurfaces& near) noexcept {
+  const ShapeIndex& index = scene.wallIndex;
+  MeasuredWalls walls(scene, place, reach, near);
+  if (index.tree.size() != scene.walls.size()) return walls.measureAll();
+  const auto items = boxes.near(index.tree, place, reach, WallsToRemember{scene, course});
+  if (!items || items->size() > NearSurfaces::kMost) return searchTree(index, place, reach, walls);
+  for (std::size_t i = 0; i < items->size(); i += 2) {
+    walls.measureTwo(index.entries[(*items)[i]], index.entries[(*items)[std::min(i + 1, items->size() - 1)]]);
+  }
 }
 
 }  // namespace haptiv

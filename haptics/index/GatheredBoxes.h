@@ -2,7 +2,6 @@
 
 #include <array>
 #include <bit>
-#include <span>
 
 #include "haptics/index/BoundingTree.h"
 
@@ -45,8 +44,16 @@ class GatheredBoxes {
   bool isComplete() const noexcept { return waits_ == 0; }
   /// There was room for all of them.
   bool fits() const noexcept { return fits_; }
-  std::span<const BoxNode> nodes() const noexcept {
-    return {node_.data(), (boxes_ + BoxNode::kWidth - 1) / BoxNode::kWidth};
+
+  /// A bit for each of them that has a point in common with the query, from the lowest one on.
+  std::uint32_t touching(const FloatBox& query) const noexcept {
+    static_assert(kMost * BoxNode::kWidth <= 32);
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < boxes_; i += BoxNode::kWidth) bits |= node_[i / BoxNode::kWidth].touching(query) << i;
+    return bits;
+  }
+  std::uint32_t item(std::size_t box) const noexcept {
+    return node_[box / BoxNode::kWidth].child[box % BoxNode::kWidth] & ~BoxNode::kItemFlag;
   }
 
  private:

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
+#include <optional>
+#include <span>
 
 #include "haptics/index/GatheredBoxes.h"
 
@@ -24,54 +27,56 @@ class RememberedBoxes {
     Vector3 way = Vector3::Zero();  ///< that whoever asks is about to go; as much of it as there is room for [m]
   };
 
-  /// Calls visit(item) for the boxes nearer to p_W than `reach` along every axis.
-  /// @param remembered  is called with the items that are remembered anew: they will be asked for
-  template <typename Visit, typename Remembered>
-  void forEachNear(const BoundingTree& tree, const Vector3& p_W, double reach, const Ahead& ahead, Visit&& visit,
-                   Remembered&& remembered) noexcept {
+  /// The items whose boxes are nearer to p_W than `reach` along every axis, by rising number; nothing where they are
+  /// not remembered: then the tree has to be asked.
+  /// @param keeper  tells what to remember (`ahead()`, asked for only where there is need) and which number an item
+  /// has,
+  ///                and is told which items are remembered anew (`gathered(item)`)
+  template <typename Keeper>
+  std::optional<std::span<const std::uint32_t>> near(const BoundingTree& tree, const Vector3& p_W, double reach,
+                                                     const Keeper& keeper) noexcept {
     const FloatBox query = tree.around(p_W, reach);
-    const bool isKnown = inner_.holds(query) || lookAhead(tree, query, p_W, reach, ahead, remembered);
-    if (!isKnown) return tree.forEachNear(query, visit);
-    findRemembered(query);
-    for (std::size_t i = 0; i < founds_; ++i) visit(found_[i]);
-  }
-  template <typename Visit>
-  void forEachNear(const BoundingTree& tree, const Vector3& p_W, double reach, const Ahead& ahead,
-                   Visit&& visit) noexcept {
-    forEachNear(tree, p_W, reach, ahead, visit, [](std::uint32_t) {});
+    const bool isKnown = inner_.holds(query) || lookAhead(tree, query, p_W, reach, keeper);
+    if (!isKnown) return std::nullopt;
+    const std::uint32_t near = known().touching(query);
+    if (near != near_) list(near, keeper);
+    return std::span(item_.data(), items_);
   }
 
  private:
   static constexpr std::size_t kNodesAtOnce = 1;  ///< of the tree, in a call
-  using Items = std::array<std::uint32_t, GatheredBoxes::kMost * BoxNode::kWidth>;
 
   const GatheredBoxes& known() const noexcept { return gathered_[now_]; }
 
   /// Gathers what lies ahead, and returns whether the query is within what is known now.
-  template <typename Remembered>
+  template <typename Keeper>
   [[gnu::noinline]] bool lookAhead(const BoundingTree& tree, const FloatBox& query, const Vector3& p_W, double reach,
-                                   const Ahead& ahead, Remembered&& remembered) noexcept {
+                                   const Keeper& keeper) noexcept {
+    const Ahead ahead = keeper.ahead();
     const bool isInside = known().place().holds(query);
     const bool isTooMuch = isInside && !known().fits();
-    if (ahead.margin > 0 && !isTooMuch) gather(tree, query, isInside, p_W, reach, ahead, remembered);
+    if (ahead.margin > 0 && !isTooMuch) gather(tree, query, isInside, p_W, reach, ahead, keeper);
     return known().fits() && known().place().holds(query);
   }
 
   /// A little of what lies ahead, or where the query is outside of what is known, all.
-  template <typename Remembered>
+  template <typename Keeper>
   void gather(const BoundingTree& tree, const FloatBox& query, bool isInside, const Vector3& p_W, double reach,
-              const Ahead& ahead, Remembered&& remembered) noexcept {
+              const Ahead& ahead, const Keeper& keeper) noexcept {
     const std::size_t nodes = isInside ? kNodesAtOnce : std::numeric_limits<std::size_t>::max();
+    const auto gathered = [&](std::uint32_t item) { keeper.gathered(item); };
     GatheredBoxes& next = gathered_[1 - now_];
     if (next.isComplete() || !(isInside || next.place().holds(query))) begin(tree, p_W, reach, ahead);
-    next.goOn(tree, nodes, remembered);
+    next.goOn(tree, nodes, gathered);
     if (next.isComplete() && !next.fits() && !isSmall_) {
       begin(tree, p_W, reach, {ahead.margin});
-      next.goOn(tree, nodes, remembered);
+      next.goOn(tree, nodes, gathered);
     }
     if (!next.isComplete()) return;
     now_ = 1 - now_;
     inner_ = known().fits() ? innerNext_ : FloatBox::nowhere();
+    near_ = 0;
+    items_ = 0;
   }
 
   void begin(const BoundingTree& tree, const Vector3& p_W, double reach, const Ahead& ahead) noexcept {
@@ -81,33 +86,27 @@ class RememberedBoxes {
     isSmall_ = ahead.way.isZero(0);
   }
 
-  /// Mostly the same ones as the last time: then nothing is written, and who reads them need not wait until it is
-  /// known.
-  void findRemembered(const FloatBox& query) noexcept {
-    Items found;
-    std::size_t founds = 0;
-    for (const BoxNode& node : known().nodes()) {
-      const unsigned bits = node.touching(query);
-      for (std::size_t k = 0; k < BoxNode::kWidth; ++k) {  // without a branch: what is touched cannot be foreseen
-        found[founds] = node.child[k] & ~BoxNode::kItemFlag;
-        founds += bits >> k & 1;
-      }
+  /// In most calls they are the same ones as in the last.
+  template <typename Keeper>
+  void list(std::uint32_t near, const Keeper& keeper) noexcept {
+    near_ = near;
+    items_ = 0;
+    for (; near != 0; near &= near - 1) {
+      const std::uint32_t item = known().item(static_cast<std::size_t>(std::countr_zero(near)));
+      std::size_t at = items_++;
+      for (; at > 0 && keeper.number(item_[at - 1]) > keeper.number(item); --at) item_[at] = item_[at - 1];
+      item_[at] = item;
     }
-    bool isSame = founds == founds_;
-    for (std::size_t i = 0; isSame && i < founds; ++i) isSame = found[i] == found_[i];
-    if (isSame) return;
-    std::copy(found.begin(), found.begin() + founds, found_.begin());
-    founds_ = founds;
   }
 
   FloatBox inner_ = FloatBox::nowhere();  ///< while a query is within it, there is nothing to gather
   FloatBox innerNext_ = FloatBox::nowhere();
   std::array<GatheredBoxes, 2> gathered_;
-  std::size_t now_ =
-      0;  ///< which of them is known; the other one is gathered, until it is complete and takes its place
-  bool isSmall_ = false;  ///< what is gathered is around a place, and not on a way
-  Items found_{};
-  std::size_t founds_ = 0;
+  std::size_t now_ = 0;     ///< which is known; the other one is gathered, until it is complete and takes its place
+  bool isSmall_ = false;    ///< what is gathered is around a place, and not on a way
+  std::uint32_t near_ = 0;  ///< a bit for each box that is known: those that were near in the last call ...
+  std::array<std::uint32_t, GatheredBoxes::kMost * BoxNode::kWidth> item_{};  ///< ... and their items
+  std::size_t items_ = 0;
 };
 
 }  // namespace haptiv

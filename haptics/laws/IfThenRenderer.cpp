@@ -65,27 +65,15 @@ void followWalls(const ContactSet& before, const Vector3& goal, Proxy& proxy) no
   proxy.goTowards(place);
 }
 
-/// Walls are remembered somewhat farther than they are felt, and a few radii ahead of the ball; not where it is so fast
-/// that it would soon have left them behind.
-RememberedBoxes::Ahead toRemember(const Vector3& step, double radius) noexcept {
-  constexpr double kMargin = 2.5, kAhead = 6, kHaste = 0.25;  // of the radius
-  constexpr double kLess = 0.25;                              // of the way ahead: the margin beside it
-  constexpr double kTicks = 256;
-  if (!(step.squaredNorm() < kHaste * kHaste * radius * radius)) return {};
-  const double most = kAhead * radius;
-  const Vector3 way = (kTicks * step).cwiseMax(-most).cwiseMin(most);
-  return {kMargin * radius - kLess * way.cwiseAbs().maxCoeff(), way};
-}
-
 /// The proxy goes on from where the walls of the tick before let it come to, now held by the walls that are around
 /// there: those that it can meet within its way. Where it is let go and falls farther, it looks farther.
 void meetWalls(const HapticScene& scene, MeshNeighbourhood& meshes, const Vector3& goal, double radius, double way,
                bool wasHeld, ContactSet& contacts, NearSurfaces& walls, Proxy& proxy) noexcept {
   const Vector3 start = proxy.position;
-  const RememberedBoxes::Ahead toKeep = toRemember(goal - contacts.goal, radius);
+  const BallCourse course{goal - contacts.goal, radius};
   const double left = proxy.way;
   for (const double ahead : {std::clamp(way, kSlip * radius, radius), radius}) {
-    findWallsAround(scene, start, radius + ahead, contacts.boxes, toKeep, walls);
+    findWallsAround(scene, start, radius + ahead, course, contacts.boxes, walls);
     if (!wasHeld && walls.count == 0) return;
     proxy.position = start;
     proxy.way = left;
@@ -112,8 +100,9 @@ void touchWalls(const HapticScene& scene, const Vector3& goal, double radius, do
     addRemembered(scene, contacts, proxy.planes);
     slide(scene, meshes, goal, radius, proxy);
   }
-  const bool wasHeld =
-      std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) { return isExact(scene, c); });
+  const bool wasHeld = meshes.isEmpty() ? contacts.count > 0
+                                        : std::any_of(contacts.begin(), contacts.end(),
+                                                      [&](const Contact& c) { return isExact(scene, c); });
   NearSurfaces walls;
   meetWalls(scene, meshes, goal, radius, way, wasHeld, contacts, walls, proxy);
   keepHolding(scene, proxy, walls, goal, contacts);

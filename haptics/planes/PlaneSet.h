@@ -11,9 +11,8 @@ using PlaneSet = std::uint32_t;  ///< some of up to 32 planes: a bit for each
 
 /// How many planes are in it: 4 where there are more than three. Realtime-safe: yes.
 inline int sizeUpToThree(PlaneSet planes) noexcept {
-  int size = 0;
-  for (; size < 4 && planes != 0; ++size) planes &= planes - 1;
-  return size;
+  const PlaneSet butOne = planes & (planes - 1), butTwo = butOne & (butOne - 1), butThree = butTwo & (butTwo - 1);
+  return (planes != 0) + (butOne != 0) + (butTwo != 0) + (butThree != 0);
 }
 
 /// The numbers of its planes, as many as it has. Realtime-safe: yes.

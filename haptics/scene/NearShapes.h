@@ -13,11 +13,9 @@ namespace haptiv {
 /// Calls `visit(index, nearestSurface)` for every wall or zone whose surface is nearer to p_W than `reach`, or that
 /// has p_W inside; of those that are no boxes, only where isMeant(shape). In no particular order, though always in the
 /// same one. Realtime-safe: yes, where computeBounds was called or not.
-/// @param search  search(tree, found) calls found(item) for the tree's boxes nearer to p_W than `reach` along every
-/// axis
-template <typename Felt, typename Search, typename IsMeant, typename Visit>
-void measureNear(const std::vector<Felt>& shapes, const ShapeIndex& index, const Vector3& p_W, double reach,
-                 Search&& search, IsMeant&& isMeant, Visit&& visit) noexcept {
+template <typename Felt, typename IsMeant, typename Visit>
+void forEachNear(const std::vector<Felt>& shapes, const ShapeIndex& index, const Vector3& p_W, double reach,
+                 IsMeant&& isMeant, Visit&& visit) noexcept {
   const auto measure = [&](std::size_t shape) {
     if (shapes[shape].shape.kind != Shape::Kind::box && !isMeant(shapes[shape].shape)) return;
     const SurfacePoint surface = nearestSurface(shapes[shape].shape, p_W);
@@ -27,7 +25,7 @@ void measureNear(const std::vector<Felt>& shapes, const ShapeIndex& index, const
     for (std::size_t i = 0; i < shapes.size(); ++i) measure(i);
     return;
   }
-  search(index.tree, [&](std::uint32_t item) {
+  index.tree.forEachNear(p_W, reach, [&](std::uint32_t item) {
     const ShapeIndex::Entry& entry = index.entries[item];
     if (!entry.isStraight) return measure(entry.shape);
     const BesideBox point(entry.box, p_W);
@@ -35,14 +33,6 @@ void measureNear(const std::vector<Felt>& shapes, const ShapeIndex& index, const
     const SurfacePoint surface = nearestOnStraightBox(entry.box, point);
     if (surface.distance < reach) visit(std::size_t{entry.shape}, surface);
   });
-}
-
-/// The same, and the tree is asked.
-template <typename Felt, typename IsMeant, typename Visit>
-void forEachNear(const std::vector<Felt>& shapes, const ShapeIndex& index, const Vector3& p_W, double reach,
-                 IsMeant&& isMeant, Visit&& visit) noexcept {
-  const auto search = [&](const BoundingTree& tree, auto&& found) { tree.forEachNear(p_W, reach, found); };
-  measureNear(shapes, index, p_W, reach, search, isMeant, visit);
 }
 
 template <typename Felt, typename Visit>

@@ -6,6 +6,8 @@ namespace haptiv {
 
 /// A box with right angles and a volume, ready to be measured from a point without a division.
 struct StraightBox {
+  static constexpr double kOutside = 1e-150;  ///< a distance whose square is still a number [m]
+
   Vector3 centre = Vector3::Zero();       ///< p_WS [m]
   Matrix3 normals = Matrix3::Identity();  ///< unit outward normals of the faces at +a_i, in W, as rows
   Vector3 half = Vector3::Zero();         ///< half edges [m]

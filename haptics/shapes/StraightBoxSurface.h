@@ -15,10 +15,15 @@ namespace haptiv {
 /// those of the skewed box by that part of the box's size. Realtime-safe: yes.
 std::optional<StraightBox> straightBox(const Shape& box) noexcept;
 
+/// M v, summed from the left: to the last bit as TwoBoxes.h has it.
+inline Vector3 sumOfColumns(const Matrix3& M, const Vector3& v) noexcept {
+  return M.col(0) * v.x() + M.col(1) * v.y() + M.col(2) * v.z();
+}
+
 /// A point as seen from a straight box: where it is along the normals, and how far beyond their faces.
 struct BesideBox {
   BesideBox(const StraightBox& box, const Vector3& p_W) noexcept
-      : along(box.normals * (p_W - box.centre)), gap(along.cwiseAbs() - box.half) {}
+      : along(sumOfColumns(box.normals, p_W - box.centre)), gap(along.cwiseAbs() - box.half) {}
   Vector3 along;  ///< [m]
   Vector3 gap;    ///< [m]; its largest entry is no larger than the distance
 };
@@ -30,12 +35,11 @@ inline SurfacePoint nearestOnStraightBox(const StraightBox& box, const BesideBox
   most = gap[2] > gap[most] ? 2 : most;
   const double side = std::copysign(1.0, along[most]);
   SurfacePoint nearest{gap[most], side * box.normals.row(most), static_cast<int>(2 * most + (side < 0 ? 1 : 0))};
-  if ((gap[0] > 0) + (gap[1] > 0) + (gap[2] > 0) < 2) return nearest;  // inside, or above that face
+  if (!(gap[most] > StraightBox::kOutside)) return nearest;
   const Vector3 beyond(std::copysign(std::max(gap[0], 0.0), along[0]), std::copysign(std::max(gap[1], 0.0), along[1]),
                        std::copysign(std::max(gap[2], 0.0), along[2]));
-  nearest.distance = beyond.norm();
-  if (nearest.distance > 1e-12 * box.half.maxCoeff())
-    nearest.normal = box.normals.transpose() * (beyond / nearest.distance);
+  nearest.distance = std::sqrt(beyond.x() * beyond.x() + beyond.y() * beyond.y() + beyond.z() * beyond.z());
+  nearest.normal = sumOfColumns(box.normals.transpose(), beyond) / nearest.distance;
   return nearest;
 }
 
