@@ -111,3 +111,5 @@ void SceneView::hideEvent(QHideEvent* event) {
 }
 
 }  // namespace haptiv
+
+#include "moc_SceneView.cpp"

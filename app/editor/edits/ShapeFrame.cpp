@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "app/editor/items/ShapeUnit.h"
+#include "app/view/CoinValues.h"
 
 namespace haptiv {
 namespace {
@@ -18,10 +19,6 @@ constexpr double kAligned = 1e-4;  // how far from an axis a unit vector may be:
 
 Vector3 toVector(const SbVec3f& v) {
   return {v[0], v[1], v[2]};
-}
-
-SbVec3f toField(const Vector3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
 Eigen::Quaterniond toQuaternion(const SbRotation& rotation) {
@@ -108,13 +105,13 @@ void ShapeFrame::findOwnTransform(const SoPath& path) {
 
 TransformValue ShapeFrame::value() const {
   TransformValue value;
-  value.translation = toField(translation_);
+  value.translation = toCoin(translation_);
   const bool isTurned = !(rotation_.coeffs() == toQuaternion(asRead_.rotation).coeffs());
   value.rotation = asRead_.rotation;  // to the bit, unless it is to change
   if (isTurned)
     value.rotation = SbRotation(static_cast<float>(rotation_.x()), static_cast<float>(rotation_.y()),
                                 static_cast<float>(rotation_.z()), static_cast<float>(rotation_.w()));
-  value.scaleFactor = toField(scale_);
+  value.scaleFactor = toCoin(scale_);
   return value;
 }
 
