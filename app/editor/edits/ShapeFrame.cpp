@@ -10,16 +10,12 @@
 #include <cmath>
 
 #include "app/editor/items/ShapeUnit.h"
-#include "app/view/CoinValues.h"
+#include "scenegraph/CoinValues.h"
 
 namespace haptiv {
 namespace {
 
 constexpr double kAligned = 1e-4;  // how far from an axis a unit vector may be: 0.1 mm on a metre
-
-Vector3 toVector(const SbVec3f& v) {
-  return {v[0], v[1], v[2]};
-}
 
 Eigen::Quaterniond toQuaternion(const SbRotation& rotation) {
   const float* q = rotation.getValue();
@@ -98,7 +94,7 @@ void ShapeFrame::findOwnTransform(const SoPath& path) {
     transformIndex_ = i;
   }
   if (!transform_) return;
-  pivot_ = Eigen::Translation3d(toVector(transform_->center.getValue()));
+  pivot_ = Eigen::Translation3d(toEigen(transform_->center.getValue()));
   scaleOrientation_ = toQuaternion(transform_->scaleOrientation.getValue());
   setValue(TransformValue::of(*transform_));
 }
@@ -117,9 +113,9 @@ TransformValue ShapeFrame::value() const {
 
 void ShapeFrame::setValue(const TransformValue& value) {
   asRead_ = value;
-  translation_ = toVector(value.translation);
+  translation_ = toEigen(value.translation);
   rotation_ = toQuaternion(value.rotation);
-  scale_ = toVector(value.scaleFactor);
+  scale_ = toEigen(value.scaleFactor);
 }
 
 Eigen::Affine3d ShapeFrame::own() const {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/view/CoinValues.h"
+#include "scenegraph/CoinValues.h"
 
 namespace haptiv {
 namespace {
