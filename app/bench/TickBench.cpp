@@ -10,7 +10,7 @@
 namespace haptiv {
 namespace {
 
-constexpr int kPasses = 5;
+constexpr int kTickPasses = 5;
 constexpr std::size_t kTicks = 20000;
 
 /// What the arm's encoders and sensor say while the hand wanders and presses; how often it is in contact.
@@ -59,7 +59,7 @@ void benchTick(BenchRun& run) {
   const HapticTick tick(arm.description(), 1 / ArmOnFloor::kRate);
   ServoSeams seams(ArmOnFloor::kRate);
   CallTimes times(kTicks);
-  for (int pass = 0; pass < kPasses; ++pass) runPass(device, tick, scene, seams, times);
+  for (int pass = 0; pass < kTickPasses; ++pass) runPass(device, tick, scene, seams, times);
   BenchResult result = resultOf("tick/maze", ArmOnFloor::kWalls, times);
   result.notes = {{"in_contact", inContact}, {"processor_share_at_1_kHz", 1e-6 * result.medianNs}};
   run.add(result);

@@ -98,3 +98,5 @@ EllipsoidBoxes& DexterityPanel::ellipsoids() {
 }
 
 }  // namespace haptiv
+
+#include "moc_DexterityPanel.cpp"

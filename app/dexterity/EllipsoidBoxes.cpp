@@ -43,3 +43,5 @@ void EllipsoidBoxes::add(Manipulability which, const char* name, const QString& 
 }
 
 }  // namespace haptiv
+
+#include "moc_EllipsoidBoxes.cpp"

@@ -11,14 +11,14 @@ namespace {
 
 constexpr int kGap = 6;  // [pixels] between columns
 constexpr int kShortestBar = 60;
-constexpr int kBarHeight = 9;
+constexpr int kRateHeight = 9;
 
 /// Without the sign of a rate that is rounded to zero.
 QString numberOf(double rate) {
   return QString::number(std::abs(rate) < 0.005 ? 0 : rate, 'f', 2);
 }
 
-QColor colourOf(double share) {
+QColor colourOfRate(double share) {
   if (share >= 1) return DexterityColours::bad();
   return share >= RateBars::kNear ? DexterityColours::near() : DexterityColours::good();
 }
@@ -89,10 +89,10 @@ void RateBars::paintRow(QPainter& painter, const Columns& heading, int joint) co
   const int down = (joint + 1) * rowHeight();
   const double limit = limits_[joint];
   const double share = limit > 0 ? rates_[joint] / limit : 0;
-  const QColor colour = colourOf(std::abs(share));
+  const QColor colour = colourOfRate(std::abs(share));
 
   const QRect row = heading.bar.translated(0, down);
-  const QRect track(row.left(), row.center().y() - kBarHeight / 2, row.width(), kBarHeight);
+  const QRect track(row.left(), row.center().y() - kRateHeight / 2, row.width(), kRateHeight);
   painter.fillRect(track, DexterityColours::track());
   const int middle = track.center().x();
   const int length = static_cast<int>(std::lround(std::clamp(share, -1.0, 1.0) * (track.width() / 2)));

@@ -84,3 +84,5 @@ void StrategySelector::announce() {
 }
 
 }  // namespace haptiv
+
+#include "moc_StrategySelector.cpp"

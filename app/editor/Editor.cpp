@@ -180,3 +180,5 @@ void Editor::setEnabled(bool enabled) {
 }
 
 }  // namespace haptiv
+
+#include "moc_Editor.cpp"

@@ -11,7 +11,7 @@
 namespace haptiv {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double kSpeed = 1;             // where it is not varied [m/s]
 constexpr double kShortest = 1;          // of a run [s]
 constexpr double kPathRadius = 0.4;      // experiment 2 [m]
@@ -30,9 +30,9 @@ JointVector startAngles(const LinkLengths& links, double x, double bend, const V
   q[1] = bend;
   q[2] = -2 * elbow - bend;
   q[3] = bend;
-  q[4] = kPi / 2 - q.head<4>().sum();
+  q[4] = pi / 2 - q.head<4>().sum();
   q.segment<3>(5) = lift;
-  q[8] = -3 * kPi / 4;
+  q[8] = -3 * pi / 4;
   q[9] = 0;
   return q;
 }
@@ -79,7 +79,7 @@ RunSetup circleRun(const DeviceDescription& device, const ResolutionChoice& choi
   run.experiment = Experiment::circle;
   run.varied = radius;
   run.choice = choice;
-  run.startAngles = startAngles(device.links, radius, -kPi / 4, {5 * kPi / 6, kPi / 3, 5 * kPi / 6});
+  run.startAngles = startAngles(device.links, radius, -pi / 4, {5 * pi / 6, pi / 3, 5 * pi / 6});
   const Pose start = Vishard10(device.links).forward(run.startAngles);
   run.path = {{0, 0, start.position.z()}, radius, kSpeed, start.rotation};
   run.duration = std::max(kShortest, run.path.duration(1));

@@ -17,11 +17,11 @@
 namespace haptiv {
 namespace {
 
-constexpr int kTickLetters = 15, kLabelLetters = 17, kTitleLetters = 17;  // [pixels]
+constexpr int kTickLetters = 15, kLabelLetters = 17, kPanelLetters = 17;  // [pixels]
 constexpr double kRoom = 0.03;                                            // above the curves, of their span
 constexpr double kAboveAll = 30;                                          // maps and grids are below
 const QColor kGridColour(0xe3, 0xe6, 0xe9);
-const QColor kInk(0x24, 0x29, 0x2e);
+const QColor kPanelInk(0x24, 0x29, 0x2e);
 
 class NamedTicks : public QwtScaleDraw {
  public:
@@ -73,12 +73,12 @@ void setUpAxis(QwtPlot& plot, int id, const FigureAxis& axis, const Span& span) 
   auto* widget = plot.axisWidget(id);
   QwtText title(QString::fromStdString(axis.label));
   title.setFont(figureFont(kLabelLetters));
-  title.setColor(kInk);
+  title.setColor(kPanelInk);
   plot.setAxisTitle(id, title);
   plot.setAxisFont(id, figureFont(kTickLetters));
   QPalette palette = widget->palette();
-  palette.setColor(QPalette::WindowText, kInk);
-  palette.setColor(QPalette::Text, kInk);
+  palette.setColor(QPalette::WindowText, kPanelInk);
+  palette.setColor(QPalette::Text, kPanelInk);
   widget->setPalette(palette);
   widget->setMargin(2);
   widget->setSpacing(4);
@@ -102,7 +102,7 @@ void setUpAxis(QwtPlot& plot, int id, const FigureAxis& axis, const Span& span) 
 void addNote(QwtPlot& plot, const FigureNote& note) {
   QwtText text(QString::fromStdString(note.text));
   text.setFont(figureFont(kTickLetters));
-  text.setColor(kInk);
+  text.setColor(kPanelInk);
   auto* marker = new QwtPlotMarker;
   marker->setValue(note.x, note.y);
   marker->setLabel(text);
@@ -129,13 +129,13 @@ std::unique_ptr<QwtPlot> makePanelPlot(const FigurePanel& panel) {
   canvas->setFrameShape(QFrame::Box);
   canvas->setFrameShadow(QFrame::Plain);
   canvas->setLineWidth(1);
-  canvas->setPalette(QPalette(kInk, Qt::white));
+  canvas->setPalette(QPalette(kPanelInk, Qt::white));
   plot->setCanvas(canvas);
   plot->setCanvasBackground(Qt::white);
   if (!panel.title.empty()) {
     QwtText title(QString::fromStdString(panel.title));
-    title.setFont(figureFont(kTitleLetters, true));
-    title.setColor(kInk);
+    title.setFont(figureFont(kPanelLetters, true));
+    title.setColor(kPanelInk);
     plot->setTitle(title);
   }
   plot->plotLayout()->setAlignCanvasToScales(true);

@@ -182,3 +182,5 @@ void CalibrationDialog::save() {
 }
 
 }  // namespace haptiv
+
+#include "moc_CalibrationDialog.cpp"

@@ -81,3 +81,5 @@ void LiveReadings::show(const DeviceDescription& description, const DeviceReadin
 }
 
 }  // namespace haptiv
+
+#include "moc_LiveReadings.cpp"

@@ -175,3 +175,5 @@ void LoadsDialog::tell(const QString& what, bool wrong) {
 }
 
 }  // namespace haptiv
+
+#include "moc_LoadsDialog.cpp"

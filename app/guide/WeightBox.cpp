@@ -70,3 +70,5 @@ void WeightBox::showLoad() {
 }
 
 }  // namespace haptiv
+
+#include "moc_WeightBox.cpp"

@@ -32,3 +32,5 @@ void LivePlots::clear() {
 }
 
 }  // namespace haptiv
+
+#include "moc_LivePlots.cpp"

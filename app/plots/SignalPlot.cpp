@@ -203,3 +203,5 @@ bool SignalPlot::mouse(QEvent* event) {
 }
 
 }  // namespace haptiv
+
+#include "moc_SignalPlot.cpp"

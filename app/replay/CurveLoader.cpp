@@ -128,3 +128,5 @@ Curves CurveLoader::curves(std::size_t first, std::size_t count) const {
 }
 
 }  // namespace haptiv
+
+#include "moc_CurveLoader.cpp"

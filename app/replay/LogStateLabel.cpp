@@ -43,3 +43,5 @@ void LogStateLabel::say(const QString& text, const QString& hint, const QString&
 }
 
 }  // namespace haptiv
+
+#include "moc_LogStateLabel.cpp"

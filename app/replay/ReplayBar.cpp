@@ -144,3 +144,5 @@ void ReplayBar::keepCursorInSight(double time) {
 }
 
 }  // namespace haptiv
+
+#include "moc_ReplayBar.cpp"

@@ -122,3 +122,5 @@ void ReplayControls::reserveWidths() {
 }
 
 }  // namespace haptiv
+
+#include "moc_ReplayControls.cpp"

@@ -174,3 +174,5 @@ void ReplayPlayer::setSpeed(double factor) {
 }
 
 }  // namespace haptiv
+
+#include "moc_ReplayPlayer.cpp"

@@ -45,3 +45,5 @@ void TimeSlider::setTime(double seconds) {
 }
 
 }  // namespace haptiv
+
+#include "moc_TimeSlider.cpp"

@@ -83,3 +83,5 @@ void TimingPanel::clear() {
 }
 
 }  // namespace haptiv
+
+#include "moc_TimingPanel.cpp"

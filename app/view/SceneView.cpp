@@ -7,8 +7,8 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "app/view/CoinValues.h"
 #include "app/view/SceneViewParts.h"
+#include "scenegraph/CoinValues.h"
 
 namespace haptiv {
 namespace {
@@ -111,3 +111,5 @@ void SceneView::hideEvent(QHideEvent* event) {
 }
 
 }  // namespace haptiv
+
+#include "moc_SceneView.cpp"

@@ -3,11 +3,11 @@
 #include <Inventor/SoPickedPoint.h>
 #include <Inventor/draggers/SoDragger.h>
 
-#include "app/view/CoinValues.h"
 #include "app/view/QtEnvironment.h"
 #include "app/view/drawn/Background.h"
 #include "app/view/drawn/GroundGrid.h"
 #include "app/view/drawn/StudioLights.h"
+#include "scenegraph/CoinValues.h"
 
 namespace haptiv {
 namespace {

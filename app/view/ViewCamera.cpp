@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "app/view/CoinValues.h"
+#include "scenegraph/CoinValues.h"
 
 namespace haptiv {
 namespace {

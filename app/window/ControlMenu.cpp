@@ -92,3 +92,5 @@ void ControlMenu::announce() {
 }
 
 }  // namespace haptiv
+
+#include "moc_ControlMenu.cpp"

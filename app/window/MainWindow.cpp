@@ -173,3 +173,5 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 }  // namespace haptiv
+
+#include "moc_MainWindow.cpp"

@@ -63,3 +63,5 @@ void ReplayStage::showScene() {
 }
 
 }  // namespace haptiv
+
+#include "moc_ReplayStage.cpp"

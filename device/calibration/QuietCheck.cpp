@@ -10,10 +10,10 @@
 namespace haptiv {
 namespace {
 
-constexpr double kFlickers = 0.5;       // [counts] of noise without which an axis may stand still
-constexpr double kMostNoise = 4;        // times that of the description
-constexpr double kChance = 6;           // standard deviations
-constexpr double kRounding = 1 / 12.0;  // variance of a value rounded to counts
+constexpr double kFlickers = 0.5;               // [counts] of noise without which an axis may stand still
+constexpr double kMostNoise = 4;                // times that of the description
+constexpr double kChance = 6;                   // standard deviations
+constexpr double kRoundingVariance = 1 / 12.0;  // variance of a value rounded to counts
 
 std::string text(double number) {
   std::ostringstream out;
@@ -30,7 +30,7 @@ const char* unitOf(int axis) {
 Vector6 expectedDeviation(const HandleSensor& sensor) {
   Vector6 noise;
   noise << Vector3::Constant(sensor.forceNoise), Vector3::Constant(sensor.torqueNoise);
-  return (noise.cwiseQuotient(sensor.resolution()).array().square() + kRounding).sqrt();
+  return (noise.cwiseQuotient(sensor.resolution()).array().square() + kRoundingVariance).sqrt();
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ void expectSensorQuiet(const Samples& samples, const HandleSensor& sensor) {
     const int furthest = std::max(std::abs(int{samples.lowest(i)}), std::abs(int{samples.highest(i)}));
     if (furthest >= last[static_cast<std::size_t>(i)])
       throw CalibrationRefused(axis + " is at the end of its range; take the load off it, or mend its wires");
-    const bool flickers = expected[i] * expected[i] - kRounding >= kFlickers * kFlickers;
+    const bool flickers = expected[i] * expected[i] - kRoundingVariance >= kFlickers * kFlickers;
     if (flickers && samples.lowest(i) == samples.highest(i))
       throw CalibrationRefused(axis + " says the same again and again; it is dead: mend its wires");
     if (deviation[i] > kMostNoise * expected[i])

@@ -8,7 +8,7 @@ namespace haptiv {
 namespace {
 
 constexpr double kClosed = 1e-15;       // [m^2]: 10 fm of a forearm
-constexpr double kLongestStep = 0.03;   // [m]
+constexpr double kLongestMove = 0.03;   // [m]
 constexpr double kMiddlingAngle = 0.6;  // [rad]
 constexpr double kThere = 1e-7;         // [m]; near a singular pose h's roundings count by their roots
 constexpr double kSingular = 1e-9;      // of the determinant, relative
@@ -69,7 +69,7 @@ Pose DeltaArm::forward(const JointVector& q) const noexcept {
   double share = 1;
   for (int i = 0; i < kMostSteps && open.norm() > kClosed && holds(byPlace); ++i) {
     Vector3 step = -share * (byPlace.inverse() * open);
-    step *= kLongestStep / std::max(step.norm(), kLongestStep);
+    step *= kLongestMove / std::max(step.norm(), kLongestMove);
     Matrix3 byPlaceThere;
     const Vector3 openThere = gaps(best + step, q, byPlaceThere);
     if (!(openThere.norm() < open.norm())) {  // too far, or the legs do not meet: shorter steps

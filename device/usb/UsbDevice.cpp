@@ -14,14 +14,14 @@ namespace haptiv {
 
 namespace {
 
-constexpr double kLongestPeriod = 0.1;              // [s]
+constexpr double kLongestUsbPeriod = 0.1;           // [s]
 constexpr double kFullSpeedPeriod = 1e-3;           // [s] between two packets at full speed
 constexpr std::chrono::milliseconds kLastWord{20};  // that the board is given to brake
 
 constexpr std::chrono::milliseconds kFirstWord{100};  // that it is given to say where it stands
 
 void expectPossible(double period) {
-  if (period > 0 && period <= kLongestPeriod) return;
+  if (period > 0 && period <= kLongestUsbPeriod) return;
   throw std::runtime_error("a device over USB cannot run with a period of " + std::to_string(period) +
                            " s; choose a rate of 10 Hz or more");
 }

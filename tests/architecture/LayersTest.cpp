@@ -129,6 +129,10 @@ TEST(Layers, TheSessionLibraryNeedsNoSceneGraph) {
 TEST(Layers, TheSceneViewKnowsNothingOfEditorReplayAndWindow) {
   expectNoInclude("app/view", "^app/(editor|replay|window|commands)/");
 }
+TEST(Layers, WhatIsDrawnDoesNotKnowTheViewOfIt) {
+  expectNoInclude("app/view/drawn", "^app/view/(?!drawn/|ellipsoids/)");
+  expectNoInclude("app/view/ellipsoids", "^app/view/(?!ellipsoids/)");
+}
 TEST(Layers, TheEditorKnowsNothingOfSessionsAndReplay) {
   expectNoInclude("app/editor", "^app/(session|replay|window)/");
 }

@@ -9,8 +9,8 @@
 namespace haptiv {
 namespace {
 
-constexpr int kPasses = 7;
-constexpr int kLegs = 50;                // of the path: 45,000 ticks
+constexpr int kWallPasses = 7;
+constexpr int kWallLegs = 50;            // of the path: 45,000 ticks
 constexpr std::size_t kPeerCalls = 500;  // a pass: it is slow
 
 struct Times {
@@ -47,14 +47,14 @@ void scan(const FlatScan& peer, const std::vector<ToolMotion>& path, const std::
 
 void benchFloor(BenchRun& run, std::uint32_t walls, double scale, const std::string& suffix) {
   const WallFloor floor(walls, scale);
-  const std::vector<ToolMotion> path = pathOver(floor, kLegs);
+  const std::vector<ToolMotion> path = pathOver(floor, kWallLegs);
   std::vector<char> touching(path.size());
   std::ranges::transform(path, touching.begin(),
                          [&](const ToolMotion& tool) { return floor.isTouching(tool.position); });
   const FlatScan peer(floor.scene());
   Times own(path.size()), others(path.size());
   std::uint64_t missed = 0;
-  for (int pass = 0; pass < kPasses; ++pass) {  // both in turn, under the same load of the machine
+  for (int pass = 0; pass < kWallPasses; ++pass) {  // both in turn, under the same load of the machine
     missed += follow(floor, path, touching, own);
     scan(peer, path, touching, others);
   }

@@ -10,8 +10,8 @@ namespace haptiv {
 namespace {
 
 constexpr std::uint32_t kTriangles = 1000000;
-constexpr int kPasses = 5;
-constexpr int kLegs = 20;
+constexpr int kMeshPasses = 5;
+constexpr int kMeshLegs = 20;
 /// The triangles' middles lie this much below the sphere, at most [m]: half of it does not count as touching.
 constexpr double kBelow = 1e-6;
 
@@ -41,10 +41,10 @@ void follow(const HapticScene& scene, const std::vector<ToolMotion>& path, doubl
 
 void benchSphere(BenchRun& run, double scale, const std::string& suffix) {
   const HapticScene scene = meshSphere(kTriangles, scale);
-  const std::vector<ToolMotion> path = pathOverSphere(kLegs, scale);
+  const std::vector<ToolMotion> path = pathOverSphere(kMeshLegs, scale);
   CallTimes contact(path.size()), free(path.size());
   Felt felt;
-  for (int pass = 0; pass < kPasses; ++pass) follow(scene, path, scale, contact, free, felt);
+  for (int pass = 0; pass < kMeshPasses; ++pass) follow(scene, path, scale, contact, free, felt);
   const std::uint64_t triangles = scene.walls[0].shape.mesh->triangles.size();
   BenchResult result = resultOf("collision/mesh" + suffix, triangles, contact);
   result.notes = {{"missed_contacts", static_cast<double>(felt.missed)},

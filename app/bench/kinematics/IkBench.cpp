@@ -10,9 +10,9 @@
 namespace haptiv {
 namespace {
 
-constexpr int kPasses = 15;
+constexpr int kIkPasses = 15;
 constexpr int kPoses = 1000;
-constexpr double kPeriod = 1e-3;
+constexpr double kIkPeriod = 1e-3;
 
 struct Task {
   JointVector q;
@@ -69,12 +69,12 @@ void benchIk(BenchRun& run) {
     }
   }
   const std::vector<Task> all = tasks();
-  for (int pass = 0; pass < kPasses; ++pass) {
+  for (int pass = 0; pass < kIkPasses; ++pass) {
     for (const Task& task : all) {
       forward.times.time([&] { return arm.evaluate(task.q); });
       for (std::size_t i = 0; i < ways.size(); ++i) {
         ways[i].times.time(
-            [&] { return resolution.rates(choices[i], task.q, arm.jacobian(task.q), task.twist, kPeriod); });
+            [&] { return resolution.rates(choices[i], task.q, arm.jacobian(task.q), task.twist, kIkPeriod); });
       }
       if (!kdl) continue;
       kdlForward.time([&] { return kdl->forwardAndJacobian(task.q); });

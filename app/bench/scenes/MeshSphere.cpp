@@ -9,7 +9,7 @@
 namespace haptiv {
 namespace {
 
-constexpr double kPeriod = 1e-3;  // [s] a tick
+constexpr double kTick = 1e-3;  // [s] a tick
 
 Vector3 direction(Dice& dice) {
   const double z = 2 * dice() - 1, angle = 2 * std::numbers::pi * dice();
@@ -72,7 +72,7 @@ std::vector<ToolMotion> pathOverSphere(int legs, double scale) {
     for (int i = 1; i <= ticks; ++i) {
       const double t = static_cast<double>(i) / ticks;
       const Vector3 place = (start + t * (end - start)) * (Eigen::AngleAxisd(t * turn, axis) * from);
-      const Vector3 velocity = path.empty() ? Vector3(0, 0, 0) : Vector3((place - path.back().position) / kPeriod);
+      const Vector3 velocity = path.empty() ? Vector3(0, 0, 0) : Vector3((place - path.back().position) / kTick);
       path.push_back({place, velocity, ball});
     }
     from = Eigen::AngleAxisd(turn, axis) * from;

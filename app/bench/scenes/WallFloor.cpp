@@ -11,7 +11,7 @@ namespace haptiv {
 namespace {
 
 constexpr std::uint32_t kRidgeEvery = 8;
-constexpr double kPeriod = 1e-3;  // [s] a tick
+constexpr double kFloorTick = 1e-3;  // [s] a tick
 
 /// 0 to 1 with no jerk at the ends.
 double smooth(double t) {
@@ -29,7 +29,7 @@ class PathWriter {
       const double t = static_cast<double>(i) / ticks;
       const Vector3 wave(0, 0, ripple * std::sin(12 * std::numbers::pi * t));
       const Vector3 next = from + smooth(t) * (to - from) + wave;
-      path_.push_back({next, path_.empty() ? Vector3(0, 0, 0) : Vector3((next - last_) / kPeriod), radius_});
+      path_.push_back({next, path_.empty() ? Vector3(0, 0, 0) : Vector3((next - last_) / kFloorTick), radius_});
       last_ = next;
     }
     place_ = to;

@@ -62,7 +62,7 @@ void tellNews(const usb::VirtualBoard& board, BoardNews& news, bool imported) {
 /// Serves until told to end.
 void serve(const BoardOptions& options, usb::VirtualBoard& board, BoardServer& server) {
   using Clock = BoardServer::Clock;
-  const HeldSignals signals;
+  const HeldSignals held;
   const auto began = Clock::now();
   OperatorConsole console;
   BoardNews news;
@@ -72,8 +72,7 @@ void serve(const BoardOptions& options, usb::VirtualBoard& board, BoardServer& s
     const auto now = Clock::now();
     if (now - looked < std::chrono::milliseconds(20)) continue;
     looked = now;
-    if (signals.pending({}) || (options.seconds && now - began > std::chrono::duration<double>(*options.seconds)))
-      return;
+    if (held.pending({}) || (options.seconds && now - began > std::chrono::duration<double>(*options.seconds))) return;
     if (typing) {
       const auto words = typed();
       typing = words.has_value();

@@ -23,8 +23,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::microseconds kTick{1000};
 constexpr std::chrono::seconds kLine{1};
-constexpr Range kLengths{0, 86400, true};  // [s], up to a day
-constexpr int kBarLength = 50;             // characters of the longest bar
+constexpr Range kMonitorLengths{0, 86400, true};  // [s], up to a day
+constexpr int kBarLength = 50;                    // characters of the longest bar
 
 struct MonitorOptions {
   std::string description = "vishard10";
@@ -128,18 +128,18 @@ int monitor(const MonitorOptions& options) {
     throw CommandFailure(kWrongUsage,
                          "--device " + options.device + ": give usb or usb:WHICH, as haptiv device list names them");
   refuseWithoutName(options.device);
-  const HeldSignals signals;
+  const HeldSignals held;
   UsbDeviceChoice choice{boardSerialOf(options.device), std::nullopt, true};
   UsbDevice device(loadDeviceDescription(options.description), choice);
   device.start(std::chrono::duration<double>(kTick).count());
   const std::string serial = device.serial();
   const auto start = Clock::now();
   const auto end = start + std::chrono::duration_cast<Clock::duration>(
-                               std::chrono::duration<double>(options.seconds.value_or(kLengths.high)));
+                               std::chrono::duration<double>(options.seconds.value_or(kMonitorLengths.high)));
   auto line = start + kLine;
   std::uint64_t states = 0;
   for (auto due = start; due < end; due = std::max(due + kTick, Clock::now())) {
-    if (signals.pending(std::max<std::chrono::nanoseconds>(due - Clock::now(), std::chrono::nanoseconds(0)))) break;
+    if (held.pending(std::max<std::chrono::nanoseconds>(due - Clock::now(), std::chrono::nanoseconds(0)))) break;
     const DeviceReading reading = device.read();
     device.write({});  // brakes; its echo is what is timed
     if (options.json || due < line) continue;
@@ -167,7 +167,7 @@ void addDeviceMonitorCommand(const Command& device) {
       .text("--device", options->device, "The board: usb, the only one, or usb:WHICH, by serial number or port")
       .type("NAME")
       .showDefault();
-  monitorCommand.number("--seconds", options->seconds, kLengths, "How long; until Ctrl-C").type("S");
+  monitorCommand.number("--seconds", options->seconds, kMonitorLengths, "How long; until Ctrl-C").type("S");
   monitorCommand.json(options->json);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostRows = 20;
 
-struct Row {
+struct WallRow {
   int line = 0;
   std::string node;
   std::size_t walls = 0;
@@ -21,14 +21,14 @@ struct Row {
   double depth = 0;    ///< [m]
 };
 
-std::vector<Row> rowsOf(const LoadedScene& loaded, double rate) {
+std::vector<WallRow> rowsOf(const LoadedScene& loaded, double rate) {
   const HapticScene& scene = *loaded.compiled.scene;
   const double drives = loaded.device.drives.bandwidth.minCoeff();
-  std::vector<Row> rows;
+  std::vector<WallRow> rows;
   for (const PropertyGroup& group : groupByProperty(loaded.compiled.origins.walls)) {
     const SurfaceProperties& surface = scene.walls[group.members.front()].surface;
     const auto line = loaded.file.lineOf.find(group.property);
-    Row row;
+    WallRow row;
     row.line = line == loaded.file.lineOf.end() ? 0 : line->second;
     row.node = describe(group.property);
     row.walls = group.members.size();
@@ -45,7 +45,7 @@ std::vector<Row> rowsOf(const LoadedScene& loaded, double rate) {
 
 Report::List wallProperties(const LoadedScene& loaded, double rate) {
   Report::List list;
-  for (const Row& row : rowsOf(loaded, rate)) {
+  for (const WallRow& row : rowsOf(loaded, rate)) {
     Report& entry = list.emplace_back();
     entry.add("line", std::uint64_t(row.line));
     entry.add("node", row.node);
@@ -62,13 +62,13 @@ Report::List wallProperties(const LoadedScene& loaded, double rate) {
 }
 
 std::string wallTable(const LoadedScene& loaded, double rate) {
-  const std::vector<Row> rows = rowsOf(loaded, rate);
+  const std::vector<WallRow> rows = rowsOf(loaded, rate);
   if (rows.empty()) return {};
   std::string text =
       "\n     walls   stiffness     damping  damping      optimal     largest       depth\n"
       "                 N/m       N s/m    ratio  stiffn. N/m  stable N/m  at peak, m  of\n";
   for (std::size_t i = 0; i < std::min(rows.size(), kMostRows); ++i) {
-    const Row& row = rows[i];
+    const WallRow& row = rows[i];
     char line[160];
     std::snprintf(line, sizeof line, "%10zu %11.5g %11.4g %8.3g %12.4g %11.4g %11.3g  ", row.walls,
                   row.contact.stiffness, row.contact.damping, row.contact.dampingRatio(),

@@ -11,8 +11,8 @@ namespace haptiv {
 namespace {
 
 constexpr Range kRates{kLowestServoRate, kHighestServoRate};
-constexpr Range kSpins{0, 1000};           // [us]
-constexpr Range kLengths{0, 86400, true};  // [s], up to a day
+constexpr Range kSpins{0, 1000};                  // [us]
+constexpr Range kSessionLengths{0, 86400, true};  // [s], up to a day
 
 void addArmAndHand(const Command& run, RunOptions& options) {
   run.text(
@@ -34,7 +34,7 @@ void addArmAndHand(const Command& run, RunOptions& options) {
 }
 
 void addTimes(const Command& run, RunOptions& options) {
-  run.number("--seconds", options.seconds, kLengths,
+  run.number("--seconds", options.seconds, kSessionLengths,
              "How long; as long as the hand file and 1 s more, or 5 s; until Ctrl-C where a person leads")
       .type("S");
   run.number("--rate", options.rate, kRates, "Ticks per second, 500 to 8000").type("HZ").showDefault();

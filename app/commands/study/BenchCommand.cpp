@@ -20,7 +20,7 @@
 namespace haptiv {
 namespace {
 
-constexpr Range kRates{kLowestServoRate, kHighestServoRate};
+constexpr Range kWallRates{kLowestServoRate, kHighestServoRate};
 
 struct BenchOptions {
   std::vector<std::string> names;
@@ -120,7 +120,7 @@ void addBenchCommand(const Command& program) {
   bench.text("--device", options->device, "Of wall: the arm, a built-in description or a file")
       .type("DESCRIPTION")
       .showDefault();
-  bench.number("--rate", options->rate, kRates, "Of wall: ticks per second, 500 to 8000").type("HZ").showDefault();
+  bench.number("--rate", options->rate, kWallRates, "Of wall: ticks per second, 500 to 8000").type("HZ").showDefault();
   bench.choice("--control", options->control, {"admittance", "position-impedance", "impedance"},
                "Of wall: what the device shows; without this, as the device description says");
   bench.choice("--joints", options->joints, {"pd", "computed-torque"},

@@ -188,3 +188,5 @@ void SceneDocument::flush() {
 }
 
 }  // namespace haptiv
+
+#include "moc_SceneDocument.cpp"

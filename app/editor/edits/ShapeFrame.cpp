@@ -10,19 +10,12 @@
 #include <cmath>
 
 #include "app/editor/items/ShapeUnit.h"
+#include "scenegraph/CoinValues.h"
 
 namespace haptiv {
 namespace {
 
 constexpr double kAligned = 1e-4;  // how far from an axis a unit vector may be: 0.1 mm on a metre
-
-Vector3 toVector(const SbVec3f& v) {
-  return {v[0], v[1], v[2]};
-}
-
-SbVec3f toField(const Vector3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
 
 Eigen::Quaterniond toQuaternion(const SbRotation& rotation) {
   const float* q = rotation.getValue();
@@ -101,28 +94,28 @@ void ShapeFrame::findOwnTransform(const SoPath& path) {
     transformIndex_ = i;
   }
   if (!transform_) return;
-  pivot_ = Eigen::Translation3d(toVector(transform_->center.getValue()));
+  pivot_ = Eigen::Translation3d(toEigen(transform_->center.getValue()));
   scaleOrientation_ = toQuaternion(transform_->scaleOrientation.getValue());
   setValue(TransformValue::of(*transform_));
 }
 
 TransformValue ShapeFrame::value() const {
   TransformValue value;
-  value.translation = toField(translation_);
+  value.translation = toCoin(translation_);
   const bool isTurned = !(rotation_.coeffs() == toQuaternion(asRead_.rotation).coeffs());
   value.rotation = asRead_.rotation;  // to the bit, unless it is to change
   if (isTurned)
     value.rotation = SbRotation(static_cast<float>(rotation_.x()), static_cast<float>(rotation_.y()),
                                 static_cast<float>(rotation_.z()), static_cast<float>(rotation_.w()));
-  value.scaleFactor = toField(scale_);
+  value.scaleFactor = toCoin(scale_);
   return value;
 }
 
 void ShapeFrame::setValue(const TransformValue& value) {
   asRead_ = value;
-  translation_ = toVector(value.translation);
+  translation_ = toEigen(value.translation);
   rotation_ = toQuaternion(value.rotation);
-  scale_ = toVector(value.scaleFactor);
+  scale_ = toEigen(value.scaleFactor);
 }
 
 Eigen::Affine3d ShapeFrame::own() const {

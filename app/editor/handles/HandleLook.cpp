@@ -10,15 +10,13 @@
 #include <cmath>
 #include <string>
 
+#include "scenegraph/CoinValues.h"
+
 namespace haptiv {
 namespace {
 
 const SbColor kResting(0.95f, 0.55f, 0.10f);
 const SbColor kHeld(1.0f, 0.85f, 0.20f);
-
-SbVec3f toField(const Vector3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
 
 /// In the dragger's frame, where the shape reaches from -1 to 1.
 SoSeparator* knob(const Vector3& place, const Vector3& lengths, const SbColor& colour) {
@@ -28,7 +26,7 @@ SoSeparator* knob(const Vector3& place, const Vector3& lengths, const SbColor& c
   material->emissiveColor = colour * 0.4f;
   node->addChild(material);
   auto* shift = new SoTranslation;
-  shift->translation = toField(place);
+  shift->translation = toCoin(place);
   node->addChild(shift);
   auto* cube = new SoCube;
   cube->width = static_cast<float>(lengths.x());

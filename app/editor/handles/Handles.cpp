@@ -181,3 +181,5 @@ void Handles::commit() {
 }
 
 }  // namespace haptiv
+
+#include "moc_Handles.cpp"

@@ -81,3 +81,5 @@ void DiagnosticsList::selectSource(int row) {
 }
 
 }  // namespace haptiv
+
+#include "moc_DiagnosticsList.cpp"

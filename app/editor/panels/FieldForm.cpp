@@ -172,3 +172,5 @@ void FieldForm::addRow(QFormLayout& layout, const FieldRow& row) {
 }
 
 }  // namespace haptiv
+
+#include "moc_FieldForm.cpp"

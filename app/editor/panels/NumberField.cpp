@@ -65,3 +65,5 @@ void NumberField::wheelEvent(QWheelEvent* event) {
 }
 
 }  // namespace haptiv
+
+#include "moc_NumberField.cpp"

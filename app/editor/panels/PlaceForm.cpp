@@ -69,3 +69,5 @@ void PlaceForm::show(const ShapeFrame& frame, const QString& shape) {
 }
 
 }  // namespace haptiv
+
+#include "moc_PlaceForm.cpp"

@@ -143,3 +143,5 @@ void PropertyPanel::editPlace(const std::function<void(ShapeFrame&)>& change, co
 }
 
 }  // namespace haptiv
+
+#include "moc_PropertyPanel.cpp"

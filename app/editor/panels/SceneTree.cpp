@@ -84,3 +84,5 @@ void SceneTree::selectCurrent() {
 }
 
 }  // namespace haptiv
+
+#include "moc_SceneTree.cpp"

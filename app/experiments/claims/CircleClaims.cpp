@@ -13,12 +13,7 @@ constexpr double kSmallGain = 0.25;     // of the translational index, over that
 constexpr double kSimilar = 0.5;        // distance of two criteria, over that of one from nonopt
 constexpr double kAlmostTheSame = 0.1;  // relative spread of means
 
-using Runs = std::optional<std::vector<const RunResult*>>;
 using Of = double (*)(const RunResult&);
-
-Runs circles(const RunTable& table, const ResolutionChoice& choice) {
-  return table.all(Experiment::circle, choice, kRadii);
-}
 
 Claim partitionedNonoptConstant(const RunTable& table) {
   Claim claim{.id = "circle-partitioned-nonopt-constant",

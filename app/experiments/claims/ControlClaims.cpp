@@ -13,23 +13,23 @@ constexpr double kTrackingWanted = 1e-4;    // [m]
 constexpr double kSelfMotionWanted = 1e-9;  // [m] in a tick
 constexpr double kRounding = 1e-9;          // of rates [rad/s]
 
-using Runs = std::vector<const RunResult*>;
+using RunList = std::vector<const RunResult*>;
 
 template <typename Which>
-Runs select(const RunTable& table, Which which) {
-  Runs runs;
+RunList select(const RunTable& table, Which which) {
+  RunList runs;
   for (const RunResult& run : table.runs()) {
     if (which(run)) runs.push_back(&run);
   }
   return runs;
 }
 
-Runs optimised(const RunTable& table) {
+RunList optimised(const RunTable& table) {
   return select(table, [](const RunResult& run) { return run.setup.choice.strategy != Strategy::nonopt; });
 }
 
 /// The run in which this is greatest; there must be one.
-const RunResult& worstOf(const Runs& runs, double RunSummary::*of) {
+const RunResult& worstOf(const RunList& runs, double RunSummary::*of) {
   return **std::ranges::max_element(runs, {}, [of](const RunResult* run) { return run->summary.*of; });
 }
 
@@ -37,7 +37,7 @@ Claim ratesBelowLimits(const RunTable& table, Experiment experiment) {
   Claim claim{.id = nameOf(experiment) + "-rates",
               .text = "No joint comes close to its greatest rate: " + nameOf(experiment),
               .seenIf = "no joint exceeds 90 % of its rate limit in any tick of any run"};
-  const Runs runs = select(table, [&](const RunResult& run) { return run.setup.experiment == experiment; });
+  const RunList runs = select(table, [&](const RunResult& run) { return run.setup.experiment == experiment; });
   if (runs.empty()) return claim;
   const RunResult& fastest = worstOf(runs, &RunSummary::greatestRate);
   const RunResult& closest = worstOf(runs, &RunSummary::greatestRateShare);
@@ -55,7 +55,7 @@ Claim ratesBelowLimits(const RunTable& table, Experiment experiment) {
 }
 
 /// Adds the greatest tracking error of these runs to the claim, and returns it [m].
-double addTracking(Claim& claim, const Runs& runs, const std::string& which) {
+double addTracking(Claim& claim, const RunList& runs, const std::string& which) {
   if (runs.empty()) return 0;
   const RunResult& worst = worstOf(runs, &RunSummary::greatestPositionError);
   const double error = worst.summary.greatestPositionError;
@@ -77,7 +77,7 @@ Claim tracking(const RunTable& table) {
       return run.setup.path.speed == 1 && (leastSigmaRot(run) > kRegular) == regular;
     });
   };
-  const Runs regular = ofKind(true);
+  const RunList regular = ofKind(true);
   if (regular.empty()) return claim;
   claim.judge(addTracking(claim, regular, "regular") < kTrackingWanted);
   addTracking(claim, ofKind(false), "singular");
@@ -90,7 +90,7 @@ Claim selfMotion(const RunTable& table) {
               .seenIf =
                   "the tool's velocity by the null-space part of the rates, times the tick, is below that in every "
                   "tick"};
-  const Runs runs = optimised(table);
+  const RunList runs = optimised(table);
   if (runs.empty()) return claim;
   const RunResult& fastest = worstOf(runs, &RunSummary::selfMotionVelocity);
   const double moved = kTick * fastest.summary.selfMotionVelocity;
@@ -106,7 +106,7 @@ Claim selfMotionHeld(const RunTable& table) {
       .id = "self-motion-held",
       .text = "So it does with rates held for a tick, curvature included",
       .seenIf = "the tool's place after any tick differs by less than 1e-9 m from its place without self-motion"};
-  const Runs runs = optimised(table);
+  const RunList runs = optimised(table);
   if (runs.empty()) return claim;
   const RunResult& farthest = worstOf(runs, &RunSummary::selfMotionStep);
   const auto over = std::ranges::count_if(
@@ -125,7 +125,7 @@ Claim selfMotionWithinRates(const RunTable& table) {
   Claim claim{.id = "self-motion-rates",
               .text = "The step bounds keep joint rates admissible: self-motion drives no joint beyond its limit",
               .seenIf = "in no tick does a rate of eq. (16) exceed its limit, unless that of least norm does already"};
-  const Runs runs = optimised(table);
+  const RunList runs = optimised(table);
   if (runs.empty()) return claim;
   const double beyond = worstOf(runs, &RunSummary::rateBeyondBounds).summary.rateBeyondBounds;
   const double held = worstOf(runs, &RunSummary::heldRateBeyondBounds).summary.heldRateBeyondBounds;

@@ -11,8 +11,6 @@ namespace {
 constexpr double kSame = 0.15;  // relative difference of two means
 constexpr double kDegree = std::numbers::pi / 180;
 
-using Runs = std::optional<std::vector<const RunResult*>>;
-
 Runs heights(const RunTable& table, const ResolutionChoice& choice) {
   return table.all(Experiment::heights, choice, kHeights);
 }

@@ -16,6 +16,10 @@ std::string print(const char* format, int digits, double number) {
 
 }  // namespace
 
+Runs circles(const RunTable& table, const ResolutionChoice& choice) {
+  return table.all(Experiment::circle, choice, kRadii);
+}
+
 std::string text(double number, int digits) {
   return print("%.*g", digits, number);
 }

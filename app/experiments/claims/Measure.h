@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ constexpr ResolutionChoice full(Strategy strategy) {
 constexpr ResolutionChoice partitioned(Strategy strategy) {
   return {strategy, Solution::partitioned};
 }
+
+/// Runs of an experiment that differ in nothing but the value it varies; nothing where one of them is missing.
+using Runs = std::optional<std::vector<const RunResult*>>;
+Runs circles(const RunTable& table, const ResolutionChoice& choice);
 
 /// Three significant digits, or as many as `digits`.
 std::string text(double number, int digits = 3);

@@ -9,12 +9,6 @@ namespace {
 
 constexpr double kWantedSigma = 0.3;  // smallest rotational singular value that a criterion is to keep
 
-using Runs = std::optional<std::vector<const RunResult*>>;
-
-Runs circles(const RunTable& table, const ResolutionChoice& choice) {
-  return table.all(Experiment::circle, choice, kRadii);
-}
-
 void addByRadius(Claim& claim, const std::string& name, const std::vector<const RunResult*>& runs) {
   for (const RunResult* run : runs)
     claim.values.emplace_back(name + "_r" + fixed(run->setup.varied), leastSigmaRot(*run));

@@ -7,7 +7,7 @@
 namespace haptiv {
 namespace {
 
-constexpr double kSame = 0.02;  // of the greatest index; what the tick's length leaves between two speeds
+constexpr double kSameIndex = 0.02;  // of the greatest index; what the tick's length leaves between two speeds
 constexpr double kSlow = kSpeeds[0], kFast = kSpeeds[1];
 
 const RunResult* at(const RunTable& table, const ResolutionChoice& choice, double speed) {
@@ -37,7 +37,7 @@ Claim nonoptIndependent(const RunTable& table, Solution solution) {
   }
   claim.measured = "greatest difference " + text(100 * most / greatest, 2) + " %";
   claim.values = {{"relative_difference", most / greatest}};
-  claim.judge(most < kSame * greatest);
+  claim.judge(most < kSameIndex * greatest);
   return claim;
 }
 

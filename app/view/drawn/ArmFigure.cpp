@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <array>
 
-#include "app/view/CoinValues.h"
 #include "haptics/scene/DeviceFrames.h"
+#include "scenegraph/CoinValues.h"
 
 namespace haptiv {
 namespace {

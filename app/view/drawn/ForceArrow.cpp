@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "app/view/CoinValues.h"
+#include "scenegraph/CoinValues.h"
 
 namespace haptiv {
 

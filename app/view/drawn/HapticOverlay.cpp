@@ -7,10 +7,10 @@
 #include <Inventor/nodes/SoSwitch.h>
 #include <Inventor/nodes/SoTranslation.h>
 
-#include "app/view/CoinValues.h"
 #include "app/view/drawn/ArmFigure.h"
 #include "app/view/drawn/ForceArrow.h"
 #include "haptics/servo/SessionStart.h"
+#include "scenegraph/CoinValues.h"
 
 namespace haptiv {
 

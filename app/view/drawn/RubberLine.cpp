@@ -6,7 +6,7 @@
 #include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoPickStyle.h>
 
-#include "app/view/CoinValues.h"
+#include "scenegraph/CoinValues.h"
 
 namespace haptiv {
 

@@ -10,7 +10,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "app/view/CoinValues.h"
+#include "scenegraph/CoinValues.h"
 
 namespace haptiv {
 namespace {

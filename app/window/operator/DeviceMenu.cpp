@@ -75,3 +75,5 @@ void DeviceMenu::offer(const QString& device, const QString& name, const QString
 }
 
 }  // namespace haptiv
+
+#include "moc_DeviceMenu.cpp"

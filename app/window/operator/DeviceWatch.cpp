@@ -87,3 +87,5 @@ void DeviceWatch::resume() {
 }
 
 }  // namespace haptiv
+
+#include "moc_DeviceWatch.cpp"

@@ -48,3 +48,5 @@ void FalconOpening::endWith(std::unique_ptr<HapticDevice> device, const QString&
 }
 
 }  // namespace haptiv
+
+#include "moc_FalconOpening.cpp"

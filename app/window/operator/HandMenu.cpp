@@ -77,3 +77,5 @@ void HandMenu::tell() {
 }
 
 }  // namespace haptiv
+
+#include "moc_HandMenu.cpp"

@@ -67,3 +67,5 @@ void OperatorKeys::set(std::uint16_t input, bool down) {
 }
 
 }  // namespace haptiv
+
+#include "moc_OperatorKeys.cpp"

@@ -81,3 +81,5 @@ void ScenePublisher::publishAtOnce() {
 }
 
 }  // namespace haptiv
+
+#include "moc_ScenePublisher.cpp"

@@ -189,3 +189,5 @@ void SessionControl::press(std::uint16_t inputs) {
 }
 
 }  // namespace haptiv
+
+#include "moc_SessionControl.cpp"

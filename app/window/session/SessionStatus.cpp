@@ -103,3 +103,5 @@ void SessionStatus::clearSession() {
 }
 
 }  // namespace haptiv
+
+#include "moc_SessionStatus.cpp"

@@ -16,12 +16,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double kShortestPeriod = 1e-3, kLongestPeriod = 0.1;  // [s]
-constexpr std::chrono::milliseconds kLastWord = 20ms;           // to say that no torque is wanted
+constexpr double kShortestFalconPeriod = 1e-3, kLongestFalconPeriod = 0.1;  // [s]
+constexpr std::chrono::milliseconds kLastFalconWord = 20ms;                 // to say that no torque is wanted
 constexpr std::chrono::milliseconds kLook = 5ms;
 
-void expectPossible(double period) {
-  if (period >= kShortestPeriod * (1 - 1e-9) && period <= kLongestPeriod) return;
+void expectFalconPeriod(double period) {
+  if (period >= kShortestFalconPeriod * (1 - 1e-9) && period <= kLongestFalconPeriod) return;
   throw std::runtime_error("a Falcon cannot run with a period of " + std::to_string(period) +
                            " s: it answers 1000 times a second; choose a rate of 10 to 1000 Hz");
 }
@@ -48,7 +48,7 @@ struct FalconDevice::Parts {
   falcon::Logic logic;
   falcon::Client client;
   std::unique_ptr<usb::UsbLink> link;  // while it is started
-  usb::SilenceGuard guard{kShortestPeriod};
+  usb::SilenceGuard guard{kShortestFalconPeriod};
   falcon::Seen seen;
   DeviceReading reading;
   bool fresh = false;                      // a new state since the last write
@@ -84,7 +84,7 @@ FalconDevice::~FalconDevice() {
 }
 
 void FalconDevice::start(double period) {
-  expectPossible(period);
+  expectFalconPeriod(period);
   Parts& p = *parts_;
   if (p.link) return;
   p.link = std::make_unique<usb::UsbLink>(falcon::usbKind(), p.choice.which, p.client);
@@ -127,7 +127,7 @@ void FalconDevice::stop() {
   if (!p.link) return;
   p.client.write({});
   p.link->wake();
-  const auto end = std::chrono::steady_clock::now() + kLastWord;
+  const auto end = std::chrono::steady_clock::now() + kLastFalconWord;
   while (!p.client.isStill() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(1ms);
   p.link.reset();
 }

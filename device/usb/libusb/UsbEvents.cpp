@@ -58,8 +58,8 @@ void UsbEvents::hear(Hearing hearing) {
 /// Whether it was woken.
 bool UsbEvents::handleOwn() {
   std::uint64_t times = 0;
-  const bool woken = (descriptors_[0].revents & POLLIN) != 0 && read(wakeUp_, &times, sizeof times) > 0;
-  if ((descriptors_[1].revents & POLLIN) != 0 && read(alarm_, &times, sizeof times) > 0) rang_ = true;
+  const bool woken = (descriptors_[0].revents & POLLIN) != 0 && ::read(wakeUp_, &times, sizeof times) > 0;
+  if ((descriptors_[1].revents & POLLIN) != 0 && ::read(alarm_, &times, sizeof times) > 0) rang_ = true;
   return woken;
 }
 

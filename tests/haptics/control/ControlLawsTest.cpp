@@ -11,12 +11,12 @@
 namespace haptiv {
 namespace {
 
-constexpr double kInertia = 0.02, kDamping = 0.1, kPeriod = 1e-3;
+constexpr double kInertia = 0.02, kDamping = 0.1, kLawPeriod = 1e-3;
 
 RotationState stepped(const RotationState& state, const Vector3& torque, double damping) {
   RotationState next;
-  next.rate = nextRate(state, torque, kInertia, damping, kPeriod);
-  next.rotation = turned(state.rotation, next.rate, kPeriod);
+  next.rate = nextRate(state, torque, kInertia, damping, kLawPeriod);
+  next.rotation = turned(state.rotation, next.rate, kLawPeriod);
   return next;
 }
 
@@ -26,7 +26,7 @@ TEST(RotationalAdmittance, GainsTheAngularMomentumThatTheHandGives) {
   Vector3 given = Vector3::Zero();
   for (int i = 0; i < 1000; ++i) {
     const Vector3 torque = random.vector<Vector3>(-1, 1);
-    given += kPeriod * torque;
+    given += kLawPeriod * torque;
     state = stepped(state, torque, 0);
     EXPECT_LT((kInertia * state.rate - given).norm(), 1e-12);
   }
@@ -52,7 +52,7 @@ TEST(RotationalAdmittance, TurnsAboutOneAxisByTheAngleThatTheRateMakes) {
     const Vector3 rate = random.vector<Vector3>(-3, 3);
     const Eigen::AngleAxisd start(random.between(-3, 3), random.vector<Vector3>(-1, 1).normalized());
     Matrix3 rotation = start.toRotationMatrix();
-    for (int i = 0; i < 700; ++i) rotation = turned(rotation, rate, kPeriod);
+    for (int i = 0; i < 700; ++i) rotation = turned(rotation, rate, kLawPeriod);
     const Eigen::AngleAxisd turn(0.7 * rate.norm(), rate.normalized());
     EXPECT_LT((rotation - (turn * start).toRotationMatrix()).norm(), 1e-11);
   }
@@ -61,7 +61,7 @@ TEST(RotationalAdmittance, TurnsAboutOneAxisByTheAngleThatTheRateMakes) {
 TEST(RotationalAdmittance, StaysARotationInALongSession) {
   test::Random random(3);
   Matrix3 rotation = Matrix3::Identity();
-  for (int i = 0; i < 200'000; ++i) rotation = turned(rotation, random.vector<Vector3>(-5, 5), kPeriod);
+  for (int i = 0; i < 200'000; ++i) rotation = turned(rotation, random.vector<Vector3>(-5, 5), kLawPeriod);
   EXPECT_LT((rotation * rotation.transpose() - Matrix3::Identity()).norm(), 1e-14);
   EXPECT_NEAR(rotation.determinant(), 1, 1e-14);
 }

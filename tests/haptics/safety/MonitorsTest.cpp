@@ -15,12 +15,12 @@ namespace {
 using testing::HapticTickTest;
 using testing::readingOf;
 
-constexpr double kPeriod = 1e-3;
+constexpr double kMonitorPeriod = 1e-3;
 
 class ClampsTest : public ::testing::Test {
  protected:
   DeviceDescription description = loadDeviceDescription("vishard10");
-  Clamps clamp{description, kPeriod};
+  Clamps clamp{description, kMonitorPeriod};
   Jacobian J = ArmKinematics(description).evaluate(description.homeAngles).J_BT;
   const double sentSpeed = Clamps::kSentShare * description.safety.speedClamp;
   std::uint32_t clamps = kNoClamp;
@@ -54,7 +54,7 @@ TEST_F(ClampsTest, HoldTheToolsSpeedAtTheDeviceWhateverTheScale) {
 }
 
 TEST_F(ClampsTest, LetTheToolBecomeFasterSlowlyAndSlowerAtOnce) {
-  const double gain = description.safety.accelerationClamp * kPeriod;
+  const double gain = description.safety.accelerationClamp * kMonitorPeriod;
   EXPECT_NEAR(clamp.velocity({0.5, 0, 0}, {1, 0, 0}, 1, clamps).x(), 0.5 + gain, 1e-9);
   EXPECT_EQ(clamps, kClampAcceleration);
   clamps = kNoClamp;
@@ -124,7 +124,7 @@ class SensorMonitorTest : public ::testing::Test {
  protected:
   /// Faults of `ticks` ticks in which the force is the noise, but for an axis that is stuck.
   std::uint32_t watch(int ticks, int stuck) {
-    const SensorMonitor monitor(description, kPeriod);
+    const SensorMonitor monitor(description, kMonitorPeriod);
     SensorState state;
     Noise noise(3);
     std::uint32_t faults = kNoFault;
@@ -157,7 +157,7 @@ TEST_F(SensorMonitorTest, IsNotAlarmedByAHealthySensorNorByOneWithoutNoise) {
 }
 
 TEST_F(SensorMonitorTest, FindsAForceThatNoHandHas) {
-  const SensorMonitor monitor(description, kPeriod);
+  const SensorMonitor monitor(description, kMonitorPeriod);
   SensorState state;
   Measured measured;
   measured.handForce = {0, 290, 0};
@@ -199,7 +199,7 @@ TEST_F(EncoderMonitorTest, TellsAJumpFromAJointThatIsTooFast) {
 }
 
 TEST_F(EncoderMonitorTest, FindsAnEncoderThatStandsStillWhileItsJointIsSentOn) {
-  const EncoderMonitor monitor(description, kPeriod);
+  const EncoderMonitor monitor(description, kMonitorPeriod);
   for (const bool follows : {true, false}) {
     EncoderState state;
     JointVector desired = JointVector::Zero();
@@ -231,7 +231,7 @@ TEST_F(EncoderMonitorTest, BearsAReadingThatComesTwice) {
 }
 
 TEST_F(EncoderMonitorTest, TakesTheDevicesTimeWhereReadingsDidNotCome) {
-  const EncoderMonitor monitor(description, kPeriod);
+  const EncoderMonitor monitor(description, kMonitorPeriod);
   for (const double part : {0.97, 1.05}) {  // of the impulses at which a joint is too fast
     EncoderState state;
     std::uint32_t faults = kNoFault;
@@ -246,7 +246,7 @@ TEST_F(EncoderMonitorTest, TakesTheDevicesTimeWhereReadingsDidNotCome) {
 }
 
 TEST_F(EncoderMonitorTest, DoesNotTakeTheSameReadingAgainForAnEncoderThatStands) {
-  const EncoderMonitor monitor(description, kPeriod);
+  const EncoderMonitor monitor(description, kMonitorPeriod);
   for (const bool same : {true, false}) {
     EncoderState state;
     JointVector desired = JointVector::Zero();
@@ -262,7 +262,7 @@ TEST_F(EncoderMonitorTest, DoesNotTakeTheSameReadingAgainForAnEncoderThatStands)
 }
 
 TEST_F(EncoderMonitorTest, BeginsWithTheFirstReadingThatIsConnected) {
-  const EncoderMonitor monitor(description, kPeriod);
+  const EncoderMonitor monitor(description, kMonitorPeriod);
   EncoderState state;
   DeviceReading reading;
   for (int times = 0; times < 2; ++times) {  // at first, and after the device has left and come back elsewhere
@@ -291,7 +291,7 @@ TEST(ToolSpeedMonitorTest, BrakesBeforeTheToolReachesItsClamp) {
 }
 
 TEST(MissedTickBudgetTest, BearsABurstAndASteadyTrickleOfHalfTheTicks) {
-  const MissedTickBudget budget(0.5, kPeriod);
+  const MissedTickBudget budget(0.5, kMonitorPeriod);
   MissedTickState state;
   EXPECT_EQ(budget(450, state), kNoFault);
   EXPECT_EQ(budget(600, state), kFaultMissedTicks);
