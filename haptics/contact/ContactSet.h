@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "haptics/contact/RememberedBlocks.h"
 #include "haptics/index/RememberedBoxes.h"
 #include "haptics/scene/HapticScene.h"
 
@@ -42,6 +43,7 @@ struct ContactSet {
   Vector3 goal = Vector3::Zero();             ///< to which it was drawn [m]
   Vector3 toolPosition = Vector3::Zero();     ///< p_WT [m]
   Vector3 frictionOffset = Vector3::Zero();   ///< from there to where the proxy was to go, in W [m]
+  RememberedBlocks blocks;                    ///< of the meshes around the proxy
   RememberedBoxes boxes;                      ///< of the walls around the proxy
 
   /// How many walls are touched: a mesh may be so in several places.

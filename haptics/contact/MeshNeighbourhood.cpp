@@ -1,73 +1,90 @@
 #include "haptics/contact/MeshNeighbourhood.h"
 
-#include <algorithm>
+#include <array>
 #include <optional>
-#include <span>
 
 #include "haptics/index/Fetch.h"
+#include "haptics/meshes/BlockBounds.h"
 
 namespace haptiv {
+namespace {
 
-/// The proxy goes with its goal, or less far: what is around the middle of that way is near all of it.
-void MeshNeighbourhood::findAround(const Vector3& proxy, const Vector3& step, double farthest, double radius) noexcept {
+/// The proxy goes with its goal; held back, along what holds it.
+Vector3 likelyStep(const Vector3& proxy, const Vector3& step, const Vector3& goalBefore, double radius) noexcept {
+  const Vector3 held = proxy - goalBefore;
+  const double depth = held.norm();
+  if (!(depth > 1e-3 * radius)) return step;
+  const Vector3 out = held / depth;
+  const double outwards = out.dot(step);
+  return outwards < depth ? Vector3(step - outwards * out) : step;
+}
+
+}  // namespace
+
+MeshNeighbourhood::MeshNeighbourhood(const HapticScene& scene, const Vector3& proxy, const Vector3& step,
+                                     const Vector3& goal, double radius, RememberedBlocks& blocks) noexcept
+    : scene_(scene), blocks_(blocks) {
+  if (scene.meshIndex.tree.size() == 0 && scene.wallIndex.tree.size() == scene.walls.size()) return;
+  constexpr double kFelt = 1 + 1.0 / 128, kBeside = 0.1, kAnywhere = 0.6;  // of the radius; and of the step
   const double way = step.norm();
-  const double certain = 1.001 * (radius + farthest) + 0.5 * way;
-  const double likely = std::min((1 + 1.0 / 128) * radius + 0.55 * way, certain);
-  centre_ = proxy + 0.5 * step;
-  reach_ = likely * (1 - 1e-9);
-  find(likely, certain);
-}
-
-void MeshNeighbourhood::find(double likely, double certain) noexcept {
-  searchWalls(
-      scene_, [&](const BoundingTree& tree, auto&& found) { tree.forEachWithin(centre_, certain, found); },
-      [&](std::uint32_t) { isEmpty_ = false; });
+  const double certain = 1.001 * (radius + (goal - proxy).norm()) + 0.5 * way;
+  const Vector3 half = 0.5 * likelyStep(proxy, step, goal - step, radius);
+  wide_ = {proxy + 0.5 * step, Vector3::Zero(), std::min(kFelt * radius + kAnywhere * way, certain)};
+  forEachMeshWallWithin(scene, wide_.middle, certain, [&](std::uint32_t) { isEmpty_ = false; });
   if (isEmpty_) return;
-  std::size_t found = 0;
-  searchWalls(
-      scene_, [&](const BoundingTree& tree, auto&& visit) { tree.forEachWithin(centre_, likely, visit); },
-      [&](std::uint32_t wall) {
-        const TriangleMesh& mesh = *scene_.walls[wall].shape.mesh;
-        const std::optional<std::size_t> more =
-            mesh.tree.listWithin(centre_, likely, std::span(triangle_).subspan(found));
-        isKept_ = isKept_ && more;
-        if (!isKept_) return;
-        std::fill_n(wall_.begin() + found, *more, wall);
-        for (std::size_t end = found + *more; found < end; ++found) fetch(mesh.triangles[triangle_[found]]);
-      });
-  if (isKept_) keepNear(found, likely);
+  find({proxy + half, half, std::min(kFelt * radius + kBeside * way, certain)});
+  constexpr double kHaste = 0.25, kMargin = 0.75;  // of the radius
+  if (way < kHaste * radius) blocks.lookAhead(scene, found_.middle, 2 * half, found_.farthest(), kMargin * radius);
 }
 
-void MeshNeighbourhood::keepNear(std::size_t found, double reach) noexcept {
-  for (std::size_t i = 0; i < found; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) fetch(scene_.walls[wall_[i]].shape.mesh->corner(triangle_[i], k));
-  }
-  TwoDistances two;
-  for (std::size_t i = 0; i < found; ++i) {
-    if (i % 2 == 0) measureTwo(centre_, twoFrom(i, found), two);
-    keep(i, two, i % 2, reach * reach);
-  }
+void MeshNeighbourhood::find(const ProxyWay& around) noexcept {
+  found_ = around;
+  kept_.clear(around.middle);
+  std::array<std::uint32_t, KeptTriangles::kMost> room;
+  const auto keep = [&](std::uint32_t wall, std::span<const std::uint32_t> blocks) { return keepNear(wall, blocks); };
+  const GatheredBlocks* known = blocks_.around(around.middle, around.farthest());
+  isKept_ = known != nullptr ? known->forEachWall(scene_, around.middle, around.farthest(), room, keep) : searchTrees();
+  kept_.fetchCorners(scene_);
 }
 
-TwoTriangles MeshNeighbourhood::twoFrom(std::size_t first, std::size_t found) const noexcept {
-  TwoTriangles two;
-  for (std::size_t lane = 0; lane < 2; ++lane) {
-    const std::size_t i = std::min(first + lane, found - 1);
-    const TriangleMesh& mesh = *scene_.walls[wall_[i]].shape.mesh;
-    for (std::size_t k = 0; k < 3; ++k) two[lane][k] = &mesh.corner(triangle_[i], k);
-  }
-  return two;
+bool MeshNeighbourhood::searchTrees() noexcept {
+  std::array<std::uint32_t, KeptTriangles::kMost> room;
+  bool fits = true;
+  forEachMeshWallWithin(scene_, found_.middle, found_.farthest(), [&](std::uint32_t wall) {
+    const TriangleMesh& mesh = *scene_.walls[wall].shape.mesh;
+    const auto soon = [&](std::uint32_t block) { fetch(mesh.blocks[block]); };
+    const auto count = fits ? mesh.tree.listWithin(found_.middle, found_.farthest(), room, soon) : std::nullopt;
+    fits = count && keepNear(wall, std::span(room).first(*count));
+  });
+  return fits;
 }
 
-/// Written in any case and then counted or not: nobody could foresee a jump.
-void MeshNeighbourhood::keep(std::size_t i, const TwoDistances& two, std::size_t lane, double most) noexcept {
-  const double squared = two.squared[lane];
-  const double distance = std::sqrt(squared), perLength = distance > 0 ? 1 / distance : 0;
-  wall_[count_] = wall_[i];
-  triangle_[count_] = triangle_[i];
-  for (std::size_t axis = 0; axis < 3; ++axis) normal_[axis][count_] = two.away[axis][lane] * perLength;
-  offset_[count_] = distance - roundingAt(centre_);
-  count_ += squared <= most ? 1 : 0;
+/// In two rounds, so that the processor need not guess which triangles are near.
+bool MeshNeighbourhood::keepNear(std::uint32_t wall, std::span<const std::uint32_t> blocks) noexcept {
+  constexpr std::uint32_t kSize = TriangleBlock::kSize;
+  constexpr std::size_t kMost = KeptTriangles::kMost;
+  const TriangleMesh& mesh = *scene_.walls[wall].shape.mesh;
+  const auto half = found_.half.cast<float>();
+  const auto reach = static_cast<float>((1 + 1e-6) * found_.reach);
+  std::array<BlockBounds, kMost> bounds;
+  std::array<std::uint32_t, kMost + kSize> near;  // which lane of which of them
+  std::uint32_t count = 0;
+  for (std::uint32_t i = 0; i < blocks.size(); ++i) {
+    boundBlock(mesh.blocks[blocks[i]], found_.middle, bounds[i]);
+    const unsigned bits = bounds[i].nearWay({half.x(), half.y(), half.z()}, reach) & mesh.lanesOf(blocks[i]);
+    for (std::uint32_t lane = 0; lane < kSize; ++lane) {
+      near[count] = i * kSize + lane;
+      count += bits >> lane & 1U;
+    }
+    if (!kept_.hasRoomFor(count)) return false;
+  }
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t i = near[k] / kSize, triangle = blocks[i] * kSize + near[k] % kSize;
+    const int lane = static_cast<int>(near[k] % kSize);
+    fetch(mesh.triangles[triangle]);
+    kept_.add({wall, triangle}, bounds[i].normalOf(lane), bounds[i].distance[lane]);
+  }
+  return true;
 }
 
 }  // namespace haptiv

@@ -40,12 +40,12 @@ void findTouched(const HapticScene& scene, MeshNeighbourhood& meshes, const Vect
                  NearSurfaces& touched) noexcept {
   touched.count = 0;
   const double reach = radius + 2 * touchTolerance(p_W, radius);
-  const auto touch = [&](std::uint32_t wall, std::uint32_t triangle, const Vector3& closest) {
-    const Vector3 away = p_W - closest;
+  const auto touch = [&](const MeshTriangle& triangle, const Vector3& away) {
     const double distance = away.norm();
-    const Vector3 normal =
-        distance > kTouch * radius ? Vector3(away / distance) : faceNormal(*scene.walls[wall].shape.mesh, triangle);
-    takeTouch(touched, {static_cast<std::int32_t>(wall), static_cast<int>(triangle), distance, normal});
+    const Vector3 normal = distance > kTouch * radius
+                               ? Vector3(away / distance)
+                               : faceNormal(*scene.walls[triangle.wall].shape.mesh, triangle.number);
+    takeTouch(touched, {static_cast<std::int32_t>(triangle.wall), static_cast<int>(triangle.number), distance, normal});
   };
   meshes.forEachNear(p_W, reach, touch);
   if (touched.count == 0) meshes.nearest(p_W, (1 + kAboutToTouch) * radius, touch);
@@ -56,11 +56,11 @@ double freeLength(MeshNeighbourhood& meshes, const Vector3& from_W, const Vector
   constexpr int kNewtonSteps = 40;
   const double tolerance = touchTolerance(from_W, radius);
   double free = length;
-  meshes.forEachAlong(from_W, direction, radius, out, free, [&](double start, auto&& closest) {
+  meshes.forEachAlong(from_W, direction, radius, out, free, [&](double start, auto&& awayOf) {
     double gone = start;
     for (int step = 0; step < kNewtonSteps; ++step) {
       const Vector3 p = from_W + gone * direction;
-      const Vector3 away = p - closest(p);
+      const Vector3 away = awayOf(p);
       const double distance = away.norm();
       const double growth = away.dot(direction);  // of the distance along the way, times the distance
       // Even to the end of the way, a grazed triangle is not entered by more than an eighth of the radius.

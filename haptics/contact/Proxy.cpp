@@ -26,8 +26,8 @@ double enoughAfter(int passes) noexcept {
 /// How far to look ahead at once: along what is already known about the triangles, as most ways end there.
 double stride(const MeshNeighbourhood& meshes, const Vector3& from, const Vector3& direction, double length,
               double radius) noexcept {
-  const double known = meshes.knownAlong(from, direction, radius);
-  return known > kStride * radius ? std::min(length, 0.999 * known) : length;
+  const double known = meshes.knownAlong(from, direction, length, radius);
+  return known > kStride * radius ? std::min(length, known) : length;
 }
 
 /// What is behind the ball, all the way to the target, in the direction in which the goal is held back: it is not met.
@@ -78,7 +78,7 @@ void slide(const HapticScene& scene, MeshNeighbourhood& meshes, const Vector3& g
     const double ahead = stride(meshes, proxy.position, direction, allowed, radius);
     const double gone =
         freeLength(meshes, proxy.position, direction, ahead, radius, behind(proxy.position, target, goal, radius));
-    proxy.position = gone == length ? target : Vector3(proxy.position + gone / length * step);
+    proxy.position = gone == length ? target : Vector3(proxy.position + gone * direction);
     if (isHeld || proxy.isWedged) proxy.way -= gone;
     if (!(gone > 0)) break;  // in a corner so sharp that its planes do not settle
   }

@@ -1,6 +1,5 @@
 #include "haptics/index/BoundingTree.h"
 
-#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -22,26 +21,19 @@ BoundingTree::BoundingTree(std::span<const Bounds> boxes, const Bounds& all, Tre
 BoundingTree::BoundingTree(std::vector<BoxNode> nodes, const Vector3& origin, std::size_t size)
     : nodes_(std::move(nodes)), origin_(origin), farOff_(origin_.cwiseAbs().sum()), size_(size) {}
 
-std::optional<std::size_t> BoundingTree::listWithin(const Vector3& p_W, double reach,
-                                                    std::span<std::uint32_t> items) const noexcept {
-  constexpr std::size_t kLongWalk = 128, kWidth = BoxNode::kWidth;
-  std::array<std::uint32_t, kLongWalk> nodes;
+std::optional<std::size_t> BoundingTree::listOf(std::span<const std::uint32_t> nodes, const Vector3& p_W, double reach,
+                                                std::span<std::uint32_t> items) const noexcept {
   const FloatBox query = outwards(p_W, p_W, origin_);
   const float most = widened(reach);
-  std::size_t listed = 0, known = 0, fetched = 1;
-  if (!nodes_.empty()) nodes[known++] = 0;
-  for (std::size_t next = 0; next < known; ++next) {
-    if (known + kWidth > nodes.size() || listed + kWidth > items.size()) return std::nullopt;
-    const BoxNode& node = nodes_[nodes[next]];
+  std::size_t listed = 0;
+  for (const std::uint32_t number : nodes) {
+    if (listed + BoxNode::kWidth > items.size()) return std::nullopt;
+    const BoxNode& node = nodes_[number];
     const unsigned bits = node.within(query, most);
-    for (std::size_t k = 0; k < kWidth; ++k) {  // written in any case, and then counted or not
-      const std::uint32_t child = node.child[k], isItem = child >> 31U, isNear = bits >> k & 1U;
-      items[listed] = child & ~BoxNode::kItemFlag;
-      listed += isNear & isItem;
-      nodes[known] = child;
-      known += isNear & ~isItem;
+    for (std::size_t k = 0; k < BoxNode::kWidth; ++k) {  // written in any case, and then counted or not
+      items[listed] = node.child[k] & ~BoxNode::kItemFlag;
+      listed += (bits >> k & 1U) & (node.child[k] >> 31U);
     }
-    for (; fetched < known; ++fetched) fetch(nodes_[nodes[fetched]]);
   }
   return listed;
 }

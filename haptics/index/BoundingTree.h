@@ -72,8 +72,19 @@ class BoundingTree {
   /// Lists the same items level by level: most of what is read of the tree is then on its way from memory at once, and
   /// nothing is guessed about what is near. Returns their number, or nothing where there are more, or where the walk is
   /// a long one.
-  std::optional<std::size_t> listWithin(const Vector3& p_W, double reach,
-                                        std::span<std::uint32_t> items) const noexcept;
+  /// @param isListed  is called with each item as soon as it is: while the walk goes on, it may fetch what it needs
+  template <typename Listed>
+  std::optional<std::size_t> listWithin(const Vector3& p_W, double reach, std::span<std::uint32_t> items,
+                                        Listed&& isListed) const noexcept;
+
+  /// The same of some of the nodes alone; nothing where there are more.
+  std::optional<std::size_t> listOf(std::span<const std::uint32_t> nodes, const Vector3& p_W, double reach,
+                                    std::span<std::uint32_t> items) const noexcept;
+
+  /// One bit for each box of one of the nodes that is no farther from p_W than `reach`.
+  unsigned within(const BoxNode& node, const Vector3& p_W, double reach) const noexcept {
+    return node.within(outwards(p_W, p_W, origin_), widened(reach));
+  }
 
   /// Calls visit(item) for the boxes that a ball of radius `reach` may touch on the straight way from one place to
   /// another: all that it touches, and a few that are near the way.
@@ -121,6 +132,32 @@ void BoundingTree::walk(Touching&& touching, Visit&& visit) const noexcept {
       }
     }
   }
+}
+
+template <typename Listed>
+std::optional<std::size_t> BoundingTree::listWithin(const Vector3& p_W, double reach, std::span<std::uint32_t> items,
+                                                    Listed&& isListed) const noexcept {
+  constexpr std::size_t kLongWalk = 128, kWidth = BoxNode::kWidth;
+  std::array<std::uint32_t, kLongWalk> nodes;
+  const FloatBox query = outwards(p_W, p_W, origin_);
+  const float most = widened(reach);
+  std::size_t listed = 0, told = 0, known = 0, fetched = 1;
+  if (!nodes_.empty()) nodes[known++] = 0;
+  for (std::size_t next = 0; next < known; ++next) {
+    if (known + kWidth > nodes.size() || listed + kWidth > items.size()) return std::nullopt;
+    const BoxNode& node = nodes_[nodes[next]];
+    const unsigned bits = node.within(query, most);
+    for (std::size_t k = 0; k < kWidth; ++k) {  // written in any case, and then counted or not
+      const std::uint32_t child = node.child[k], isItem = child >> 31U, isNear = bits >> k & 1U;
+      items[listed] = child & ~BoxNode::kItemFlag;
+      listed += isNear & isItem;
+      nodes[known] = child;
+      known += isNear & ~isItem;
+    }
+    for (; told < listed; ++told) isListed(items[told]);
+    for (; fetched < known; ++fetched) fetch(nodes_[nodes[fetched]]);
+  }
+  return listed;
 }
 
 template <typename Visit>

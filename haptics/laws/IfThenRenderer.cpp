@@ -93,7 +93,7 @@ void touchWalls(const HapticScene& scene, const Vector3& goal, double radius, do
   proxy.position = contacts.surfacePosition;
   proxy.way = way;
   proxy.isWedged = contacts.wedged;
-  MeshNeighbourhood meshes(scene, proxy.position, goal - contacts.goal, goal, radius);
+  MeshNeighbourhood meshes(scene, proxy.position, goal - contacts.goal, goal, radius, contacts.blocks);
   if (meshes.isEmpty()) {
     followWalls(contacts, goal, proxy);
   } else {
@@ -126,6 +126,7 @@ void settle(const HapticScene& scene, const ToolMotion& tool, ContactSet& contac
   contacts.started = true;
   contacts.wedged = false;
   contacts.boxes.forget();
+  contacts.blocks.forget();
   followEdit(scene, tool.radius, contacts);
   for (int round = 0; round < kMostRounds; ++round) {
     if (!moveOn(scene, tool, std::numeric_limits<double>::max(), contacts)) break;

@@ -72,7 +72,8 @@ std::shared_ptr<const TriangleMesh> restoreTriangleMesh(std::vector<Vector3> ver
   auto mesh = std::make_shared<TriangleMesh>();
   const std::vector<Bounds> boxes = boxesOf(vertices, triangles);
   mesh->bounds = around(boxes);
-  mesh->tree = BoundingTree(boxes);
+  mesh->tree = BoundingTree(boxesOfBlocks(boxes));
+  mesh->blocks = makeBlocks(vertices, triangles);
   const double size = (mesh->bounds.high - mesh->bounds.low).norm();
   mesh->closed = hasNoRim(triangles) && volumeWithin(vertices, triangles) > 1e-12 * size * size * size;
   mesh->vertices = std::move(vertices);

@@ -30,10 +30,11 @@ double angleAt(const TriangleMesh& mesh, std::size_t triangle, const Vector3& at
 /// Sum over the triangles that meet in a point of the mesh.
 Vector3 angleWeightedNormal(const TriangleMesh& mesh, const Vector3& at, double tolerance) noexcept {
   Vector3 sum = Vector3::Zero();
-  mesh.tree.forEachNear(at, tolerance, [&](std::size_t triangle) {
+  const auto add = [&](std::size_t triangle) {
     if ((closestOn(mesh, triangle, at) - at).squaredNorm() > tolerance * tolerance) return;
     sum += angleAt(mesh, triangle, at, tolerance) * faceNormal(mesh, triangle);
-  });
+  };
+  mesh.tree.forEachNear(at, tolerance, [&](std::size_t block) { mesh.forEachOf(block, add); });
   return sum;
 }
 
@@ -49,15 +50,17 @@ SurfacePoint nearestOnMesh(const TriangleMesh& mesh, const Vector3& p_W) noexcep
   std::size_t nearest = mesh.triangles.size();
   Vector3 at = Vector3::Zero();
   double best = kFar;
-  mesh.tree.nearest(p_W, std::sqrt(kFar), [&](std::size_t triangle) {
+  const auto measure = [&](std::size_t triangle) {
     const Vector3 closest = closestOn(mesh, triangle, p_W);
     const double distance = (closest - p_W).norm();
-    if (distance < best || (distance == best && triangle < nearest)) {
-      best = distance;
-      nearest = triangle;
-      at = closest;
-    }
-    return distance;
+    if (!(distance < best || (distance == best && triangle < nearest))) return;
+    best = distance;
+    nearest = triangle;
+    at = closest;
+  };
+  mesh.tree.nearest(p_W, std::sqrt(kFar), [&](std::size_t block) {
+    mesh.forEachOf(block, measure);
+    return best;
   });
   if (nearest == mesh.triangles.size()) return {kFar, Vector3::UnitZ(), 0};
   const int face = static_cast<int>(nearest);

@@ -1,49 +1,47 @@
 #include "haptics/meshes/OrderTriangles.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 namespace haptiv {
 namespace {
 
-constexpr int kBits = 21;  ///< an axis: three of them fit into 64
+struct Middle {
+  std::array<double, 3> place;
+  std::uint32_t triangle;
+};
 
-/// The bits of a number of kBits, each followed by two zeros.
-std::uint64_t spread(std::uint64_t x) {
-  x = (x | x << 32) & 0x1f00000000ffffU;
-  x = (x | x << 16) & 0x1f0000ff0000ffU;
-  x = (x | x << 8) & 0x100f00f00f00f00fU;
-  x = (x | x << 4) & 0x10c30c30c30c30c3U;
-  return (x | x << 2) & 0x1249249249249249U;
+/// The axis along which they lie farthest apart.
+std::size_t longestAxis(std::span<const Middle> middles) {
+  std::array<double, 3> low = middles.front().place, high = low;
+  for (const Middle& middle : middles) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], middle.place[axis]);
+      high[axis] = std::max(high[axis], middle.place[axis]);
+    }
+  }
+  std::size_t longest = 0;
+  for (std::size_t axis = 1; axis < 3; ++axis) {
+    if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
+  }
+  return longest;
 }
 
-std::uint64_t mortonCode(const Vector3& p, const Vector3& low, double perCell) {
-  constexpr double kLast = (1 << kBits) - 1;
-  std::uint64_t code = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double cell = std::clamp((p[axis] - low[axis]) * perCell, 0.0, kLast);
-    code = code << 1 | spread(static_cast<std::uint64_t>(cell));
+/// Halves them again and again along their longest axis, between blocks.
+void sortInSpace(std::span<Middle> middles) {
+  constexpr std::size_t kBlock = TriangleBlock::kSize;
+  while (middles.size() > kBlock) {
+    const std::size_t axis = longestAxis(middles), half = (middles.size() / 2 + kBlock - 1) / kBlock * kBlock;
+    const auto cut = middles.begin() + static_cast<std::ptrdiff_t>(half);
+    std::nth_element(middles.begin(), cut, middles.end(), [axis](const Middle& one, const Middle& other) {
+      return std::pair(one.place[axis], one.triangle) < std::pair(other.place[axis], other.triangle);
+    });
+    sortInSpace(middles.first(half));
+    middles = middles.subspan(half);
   }
-  return code;
-}
-
-std::vector<std::uint64_t> mortonCodes(const std::vector<Vector3>& vertices,
-                                       const std::vector<TriangleMesh::Triangle>& triangles) {
-  Vector3 low = vertices.front(), high = low;
-  for (const Vector3& p : vertices) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double size = (high - low).maxCoeff();
-  const double perCell = size > 0 ? (1 << kBits) / size : 0;
-  std::vector<std::uint64_t> codes;
-  codes.reserve(triangles.size());
-  for (const auto& [a, b, c] : triangles) {
-    const Vector3 middle = (vertices[a] + vertices[b] + vertices[c]) / 3;
-    codes.push_back(mortonCode(middle, low, perCell));
-  }
-  return codes;
 }
 
 void orderVertices(std::vector<Vector3>& vertices, std::vector<TriangleMesh::Triangle>& triangles) {
@@ -71,15 +69,16 @@ void orderTriangles(std::vector<Vector3>& vertices, std::vector<TriangleMesh::Tr
     vertices.clear();
     return;
   }
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
-  order.reserve(triangles.size());
-  for (const std::uint64_t code : mortonCodes(vertices, triangles)) {
-    order.emplace_back(code, static_cast<std::uint32_t>(order.size()));
+  std::vector<Middle> middles;
+  middles.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles) {
+    const Vector3 middle = vertices[a] / 3 + vertices[b] / 3 + vertices[c] / 3;
+    middles.push_back({{middle.x(), middle.y(), middle.z()}, static_cast<std::uint32_t>(middles.size())});
   }
-  std::sort(order.begin(), order.end());
+  sortInSpace(middles);
   std::vector<TriangleMesh::Triangle> ordered;
   ordered.reserve(triangles.size());
-  for (const auto& [code, index] : order) ordered.push_back(triangles[index]);
+  for (const Middle& middle : middles) ordered.push_back(triangles[middle.triangle]);
   triangles = std::move(ordered);
   orderVertices(vertices, triangles);
 }

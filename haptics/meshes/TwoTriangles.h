@@ -9,13 +9,16 @@ namespace haptiv {
 /// Two numbers that are computed side by side.
 using Pair = double __attribute__((vector_size(16)));
 
-/// Two triangles, corner by corner.
-using TwoTriangles = std::array<std::array<const Vector3*, 3>, 2>;
+/// Where the corners of a triangle are.
+using CornerPointers = std::array<const Vector3*, 3>;
+using TwoTriangles = std::array<CornerPointers, 2>;
 
 /// How a place lies to two triangles.
 struct TwoDistances {
   std::array<Pair, 3> away;  ///< by axis, from the nearest point of the triangle to the place [m]
   Pair squared;              ///< of the distance [m^2]
+
+  Vector3 awayOf(int i) const noexcept { return {away[0][i], away[1][i], away[2][i]}; }
 };
 
 /// closestOnTriangle of two triangles in the time of one: no jumps, which would depend on where the place happens to

@@ -108,7 +108,7 @@ TEST(SceneBytes, KeepMeshesBitForBit) {
   EXPECT_EQ(a.vertices, b.vertices);
   EXPECT_EQ(a.triangles, b.triangles);
   EXPECT_EQ(a.closed, b.closed);
-  EXPECT_EQ(b.tree.size(), b.triangles.size());
+  EXPECT_EQ(b.tree.size(), b.blocks.size());
   EXPECT_EQ(read.zones[8].shape.mesh, read.walls[8].shape.mesh);  // shared, as it was
   EXPECT_EQ(read.zones[8].kind, Zone::Kind::rubberBand);
 }

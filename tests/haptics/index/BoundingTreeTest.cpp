@@ -70,13 +70,15 @@ TEST_P(BoundingTreeAt, ListsWhatItVisitsWithinAReachOrNothing) {
       std::vector<std::uint32_t> visited;
       tree.forEachWithin(p, reach, [&](std::uint32_t item) { visited.push_back(item); });
       std::array<std::uint32_t, 100> items;
-      const auto count = tree.listWithin(p, reach, items);
+      std::vector<std::uint32_t> told;
+      const auto count = tree.listWithin(p, reach, items, [&](std::uint32_t item) { told.push_back(item); });
       ++(count ? listed : refused);
       if (!count) {
         EXPECT_GT(tree.size(), 60u);
         continue;
       }
-      EXPECT_EQ(sorted({items.begin(), items.begin() + *count}), sorted(visited));
+      EXPECT_EQ(told, std::vector<std::uint32_t>(items.begin(), items.begin() + *count));
+      EXPECT_EQ(sorted(told), sorted(visited));
     }
   });
   EXPECT_GT(listed, 500);
