@@ -1,12 +1,11 @@
 #include "scenegraph/MakeSolid.h"
 
 #include <Inventor/SbBox3f.h>
-#include <Inventor/SbViewportRegion.h>
-#include <Inventor/actions/SoGetBoundingBoxAction.h>
 
 #include <algorithm>
 
 #include "device/kinematics/ArmKinematics.h"
+#include "scenegraph/SolidModel.h"
 #include "scenegraph/ToEigen.h"
 #include "scenegraph/judging/ContactDynamics.h"
 #include "scenegraph/nodes/SoHapticDevice.h"
@@ -87,10 +86,8 @@ SolidSizes SolidSizes::of(const SbBox3f& model, const DeviceDescription& device)
 }
 
 std::vector<NodeRef<>> solidNodes(SoNode* root, const DeviceDescription& device) {
-  SoGetBoundingBoxAction bounds(SbViewportRegion(640, 480));
-  bounds.apply(root);
-  const SbBox3f model = bounds.getBoundingBox();
-  if (model.isEmpty()) return {};
+  const SbBox3f model = modelBounds(root);
+  if (!solidFault(model).empty()) return {};
   const std::vector<SoNode*> present = writtenNodes(root);
   const SolidSizes sizes = SolidSizes::of(model, device);
   std::vector<NodeRef<>> nodes;

@@ -25,7 +25,7 @@ struct SolidSizes {
 
 /// What is to stand before all else in a scene that is only seen, in this order: the device and the tool, where the
 /// graph has none, and a surface, where it has no haptic property. Empty where nothing lacks, or nothing is there to be
-/// felt. Does not change the graph.
+/// felt (solidFault). Does not change the graph.
 std::vector<NodeRef<>> solidNodes(SoNode* root, const DeviceDescription& device);
 
 }  // namespace haptiv

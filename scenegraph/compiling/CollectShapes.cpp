@@ -96,9 +96,8 @@ void SceneCollector::endMesh(const SoNode* node, SoCallbackAction& action) {
   auto mesh = ended.soup.makeMesh();
   if (!mesh) {
     say(Severity::warning, node,
-        "is not felt: it has no faces, as lines and points have none, or no area: put HapticNone { } before it, or "
-        "give "
-        "it faces");
+        "is not felt: it has no faces, as lines, points and pictures or text on the screen have none, or no area: put "
+        "HapticNone { } before it, or give it faces");
     return;
   }
   memory_.meshes.keep(ended.id, std::move(ended.source), mesh);

@@ -27,6 +27,12 @@ class PropertyChecker {
     error(std::string(field) + " is " + numberText(v[0]) + " " + numberText(v[1]) + " " + numberText(v[2]) +
           ": write three finite numbers, in m");
   }
+  void noLessThan(const char* field, double value, const char* lesser, double least) {
+    if (!(value >= 0) || !(least > value)) return;
+    warn(std::string(lesser) + " is " + numberText(least) + ", above " + field + ", which is " + numberText(value) +
+         ": it counts as equal to that: write a larger " + field);
+  }
+  void warn(std::string message) { faults.push_back({Diagnostic::Severity::warning, std::move(message)}); }
   void error(std::string message) { faults.push_back({Diagnostic::Severity::error, std::move(message)}); }
 
   std::vector<FieldFault> faults;
@@ -38,6 +44,8 @@ void check(PropertyChecker& checker, const SoHapticSurface& surface) {
   checker.notNegative("hysteresis", surface.hysteresis.getValue(), " m");
   checker.notNegative("staticFriction", surface.staticFriction.getValue(), "");
   checker.notNegative("dynamicFriction", surface.dynamicFriction.getValue(), "");
+  checker.noLessThan("staticFriction", surface.staticFriction.getValue(), "dynamicFriction",
+                     surface.dynamicFriction.getValue());
 }
 
 void check(PropertyChecker& checker, const SoHapticSpringZone& zone) {

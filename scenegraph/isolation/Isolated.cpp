@@ -21,7 +21,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kTime = std::chrono::seconds(30);
 constexpr rlim_t kMemory = rlim_t{4} << 30;
 #ifdef __SANITIZE_ADDRESS__
 constexpr rlim_t kFiles = 64;  // the sanitizers ask pipes whether an address may be read
@@ -64,12 +63,12 @@ void writeAll(int to, const std::string& text) {
 }
 
 /// The life of the child. The first byte of what it writes says whether the rest is the result (1) or a fault (0).
-[[noreturn]] void live(int to, const std::function<std::string()>& work) {
+[[noreturn]] void live(int to, const std::function<std::string()>& work, std::chrono::seconds time) {
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT}) ::signal(signal, SIG_DFL);
   const int nowhere = ::open("/dev/null", O_RDWR);
   for (const int standard : {0, 1, 2}) ::dup2(nowhere, standard);
   limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, static_cast<rlim_t>(kTime.count()));
+  limit(RLIMIT_CPU, static_cast<rlim_t>(time.count()));
   limit(RLIMIT_DATA, memoryInUse() + kMemory);
   limit(RLIMIT_NOFILE, kFiles);
   std::string answer;
@@ -85,9 +84,9 @@ void writeAll(int to, const std::string& text) {
 }
 
 /// Everything that the child writes, until it ends or its time is over.
-std::string listen(int from, pid_t child) {
+std::string listen(int from, pid_t child, std::chrono::seconds time) {
   std::string answer;
-  const auto deadline = Clock::now() + 2 * kTime;
+  const auto deadline = Clock::now() + 2 * time;
   std::string piece(1 << 16, '\0');
   for (;;) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
@@ -104,9 +103,11 @@ std::string listen(int from, pid_t child) {
   }
 }
 
-Isolated faultOf(int status, const Note& last) {
+Isolated faultOf(int status, const Note& last, std::chrono::seconds time) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  const std::string how = signal == SIGKILL || signal == SIGXCPU ? "takes longer than half a minute" : "crashes";
+  const std::string how = signal == SIGKILL || signal == SIGXCPU
+                              ? "takes longer than " + std::to_string(time.count()) + " s"
+                              : std::string("crashes");
   return {{}, "Coin " + how + " while it " + last.doing + ": correct or simplify the scene there", last.line};
 }
 
@@ -142,22 +143,22 @@ void tellProgress(std::string_view doing, int line) {
   note->line = line;
 }
 
-Isolated runIsolated(const std::function<std::string()>& work) {
+Isolated runIsolated(const std::function<std::string()>& work, std::chrono::seconds time) {
   if (note) return {work(), {}, 0};  // isolated already
   Shared shared;
   const pid_t child = shared.isWhole() ? ::fork() : -1;
   if (child < 0) return {{}, std::string("no process can be started to check it in: ") + std::strerror(errno), 0};
   if (child == 0) {
     note = shared.last;
-    live(shared.ends[1], work);
+    live(shared.ends[1], work, time);
   }
   ::close(shared.ends[1]);
   shared.ends[1] = -1;
-  std::string answer = listen(shared.ends[0], child);
+  std::string answer = listen(shared.ends[0], child, time);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || answer.empty()) return faultOf(status, *shared.last);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || answer.empty()) return faultOf(status, *shared.last, time);
   const bool isResult = answer.front() == '1';
   answer.erase(0, 1);
   return isResult ? Isolated{std::move(answer), {}, 0} : Isolated{{}, std::move(answer), 0};

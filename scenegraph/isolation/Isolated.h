@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -13,10 +14,10 @@ struct Isolated {
   int line = 0;        ///< of the text, at which the work was then; 0: not known
 };
 
-/// Runs Coin over something hostile where a crash or a hang costs nothing: in a child process, which is given 60 s, 4
-/// GB of memory more than this one has, and no way to open a file. Only its result comes back; whatever else it changes
-/// is lost with it. Exceptions become faults. Thread: GUI.
-Isolated runIsolated(const std::function<std::string()>& work);
+/// Runs Coin over something hostile where a crash or a hang costs nothing: in a child process, which is given this
+/// time of a processor (and twice as much on the clock), 4 GB of memory more than this one has, and no way to open a
+/// file. Only its result comes back; whatever else it changes is lost with it. Exceptions become faults. Thread: GUI.
+Isolated runIsolated(const std::function<std::string()>& work, std::chrono::seconds time = std::chrono::seconds(30));
 
 /// Within the work: what is being done, for the fault. Elsewhere: nothing. Cheap.
 void tellProgress(std::string_view doing, int line = 0);

@@ -37,7 +37,8 @@ std::string stabilityFault(const ContactDynamics& contact, const JudgedScene& ju
     const std::string bound = "cannot be rendered stably at " + numberText(judged.rate) +
                               " Hz: k dt^2/m + 2 b dt/m is " + sum + " and must be below 4: ";
     if (largest <= 0)
-      return bound + "write a damping below 2 m/dt = " + numberText(2 * contact.mass / dt) + " N s/m, or a larger mass";
+      return bound + "write a damping below 2 m/dt = " + numberText(2 * contact.mass / dt) +
+             " N s/m, or a larger mass" + optimal;
     return bound + "write a stiffness below " + numberText(largest) + " N/m, or a larger mass" + optimal;
   }
   if (contact.naturalFrequency() > drives) {

@@ -1,11 +1,5 @@
-#include <Inventor/draggers/SoDragger.h>
 #include <Inventor/fields/SoField.h>
 #include <Inventor/lists/SoFieldList.h>
-#include <Inventor/manips/SoClipPlaneManip.h>
-#include <Inventor/manips/SoDirectionalLightManip.h>
-#include <Inventor/manips/SoPointLightManip.h>
-#include <Inventor/manips/SoSpotLightManip.h>
-#include <Inventor/manips/SoTransformManip.h>
 #include <Inventor/misc/SoProto.h>
 #include <Inventor/misc/SoProtoInstance.h>
 
@@ -21,15 +15,6 @@
 
 namespace haptiv {
 namespace {
-
-bool isHandle(const SoNode* node) {
-  for (const SoType type : {SoDragger::getClassTypeId(), SoTransformManip::getClassTypeId(),
-                            SoPointLightManip::getClassTypeId(), SoSpotLightManip::getClassTypeId(),
-                            SoDirectionalLightManip::getClassTypeId(), SoClipPlaneManip::getClassTypeId()}) {
-    if (node->isOfType(type)) return true;
-  }
-  return false;
-}
 
 /// Whether a field holds floating-point numbers, of which "nan" and "inf" cannot be read back.
 bool holdsFloats(const SoField& field) {
@@ -67,13 +52,7 @@ bool hasPrototypes(SoNode* root) {
 }
 
 std::string writeSceneText(SoNode* root) {
-  for (const SoNode* node : writtenNodes(root)) {
-    if (isHandle(node)) {
-      throw std::runtime_error(describe(node) +
-                               " is a handle for editing, not a part of the scene: let go of it first");
-    }
-    checkNumbers(node);
-  }
+  for (const SoNode* node : writtenNodes(root)) checkNumbers(node);
   static constexpr int kDigits = 8;
   return graphText(root, kDigits, hasPrototypes(root) ? "#VRML V2.0 utf8" : "#Inventor V2.1 ascii");
 }

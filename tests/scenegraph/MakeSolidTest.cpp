@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "scenegraph/SolidModel.h"
 #include "scenegraph/judging/SceneJudge.h"
 #include "tests/scenegraph/SceneTesting.h"
 
@@ -36,6 +37,24 @@ TEST_P(Solid, CanBeFeltAtAnySizeAndPlace) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Solid, ::testing::Values(0.001, 0.05, 1.0, 1000.0));
+
+TEST(MakeSolid, FindsNoBallForWhatHasNoSize) {
+  const DeviceDescription device = loadDeviceDescription("vishard10");
+  for (const char* body : {"Coordinate3 { point 1 2 3 } PointSet { }", "Scale { scaleFactor 1e20 1e20 1e20 } Cube { }",
+                           "Switch { Cube { } }"}) {
+    const SceneFile scene = read(body);
+    EXPECT_NE(solidFault(modelBounds(scene.root.get())), "") << body;
+    EXPECT_TRUE(solidNodes(scene.root.get(), device).empty()) << body;
+  }
+}
+
+TEST(MakeSolid, KnowsWhichLengthsAreNegative) {
+  const SceneFile scene =
+      read("Cube { width -1 height 2 depth -3 } Switch { Cone { bottomRadius -2 } } Sphere { } Cylinder { height -1 }");
+  std::vector<float> found;
+  for (const NegativeSize& size : negativeSizes(scene.root.get())) found.push_back(size.field->getValue());
+  EXPECT_THAT(found, ::testing::ElementsAre(-1, -3, -2, -1));
+}
 
 TEST(MakeSolid, AddsOnlyWhatLacks) {
   const DeviceDescription device = loadDeviceDescription("vishard10");

@@ -101,6 +101,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Remark{"HapticSurface { stiffness -5 label \"door\" }",
                              "test.iv:3: error: HapticSurface \"door\": stiffness is -5: write 0 or more N/m"},
                       Remark{"HapticSurface { damping -1 }", "damping is -1"},
+                      Remark{"HapticSurface { staticFriction 0.2 dynamicFriction 0.5 }",
+                             "warning: HapticSurface: dynamicFriction is 0.5, above staticFriction, which is 0.2"},
                       Remark{"HapticViscousZone { damping -2 }", "error: HapticViscousZone: damping is -2"},
                       Remark{"HapticSpringZone { restLength -1 }", "error: HapticSpringZone: restLength is -1"},
                       Remark{"HapticTool { }", "error: HapticTool: is a second tool"},

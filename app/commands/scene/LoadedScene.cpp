@@ -10,7 +10,10 @@
 
 #include "app/commands/ExitCode.h"
 #include "app/view/picture/PictureDecoder.h"
+#include "scenegraph/Keyword.h"
 #include "scenegraph/MakeSolid.h"
+#include "scenegraph/NumberText.h"
+#include "scenegraph/SolidModel.h"
 #include "scenegraph/judging/SceneJudge.h"
 
 namespace haptiv {
@@ -33,19 +36,34 @@ class ProgressLines {
   std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
 };
 
+void note(SceneFile& file, Diagnostic::Severity severity, const std::string& message, const SoNode* node = nullptr) {
+  Diagnostic diagnostic{severity, file.path, 0, node ? describe(node) : std::string(), message, node};
+  if (node) locate(diagnostic, file);
+  file.diagnostics.push_back(std::move(diagnostic));
+}
+
+void mendSizes(SceneFile& file) {
+  for (const NegativeSize& size : negativeSizes(file.root.get())) {
+    SbName name;
+    size.node->getFieldName(size.field, name);
+    const float value = size.field->getValue();
+    note(file, Diagnostic::Severity::warning,
+         std::string(name.getString()) + " is " + numberText(value) + ": --solid takes it as " + numberText(-value),
+         size.node);
+    size.field->setValue(-value);
+  }
+}
+
 /// The file on the disk stays as it is; its text here becomes that of the scene that is felt, for the log.
 void makeSolid(SceneFile& file) {
   const std::vector<NodeRef<>> nodes =
       solidNodes(file.root.get(), loadDeviceDescription(DevicePlacement().description));
   if (nodes.empty()) {
-    file.diagnostics.push_back({Diagnostic::Severity::warning,
-                                file.path,
-                                0,
-                                {},
-                                "--solid has nothing to add: the scene says itself what is felt, or has no shapes",
-                                nullptr});
-    return;
+    const std::string fault = solidFault(modelBounds(file.root.get()));
+    if (!fault.empty()) return note(file, Diagnostic::Severity::error, "--solid makes nothing of the scene: " + fault);
+    return note(file, Diagnostic::Severity::warning, "--solid has nothing to add: the scene says itself what is felt");
   }
+  mendSizes(file);
   for (std::size_t i = 0; i < nodes.size(); ++i) file.root->insertChild(nodes[i].get(), static_cast<int>(i));
   file.text = writeSceneText(file.root.get());
 }
@@ -72,7 +90,7 @@ LoadedScene loadScene(const std::string& path, const LoadOptions& options) {
   loaded.file = readScene(path, pictureDecoder());
   if (loaded.file.root && options.solid) makeSolid(loaded.file);
   loaded.diagnostics = loaded.file.diagnostics;
-  if (!loaded.file.root) return loaded;
+  if (!loaded.file.root || hasErrors(loaded.diagnostics)) return loaded;
   SceneCompiler compiler;
   compiler.setProgress(ProgressLines(path));
   loaded.compiled = compiler.compile(loaded.file);

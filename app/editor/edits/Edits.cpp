@@ -12,6 +12,7 @@
 #include "app/editor/edits/NewShape.h"
 #include "app/editor/items/ShapeUnit.h"
 #include "scenegraph/MakeSolid.h"
+#include "scenegraph/SolidModel.h"
 
 namespace haptiv {
 namespace {
@@ -141,6 +142,10 @@ void makeSolid(SceneDocument& document) {
   document.releaseHandles();
   const std::vector<NodeRef<>> nodes = solidNodes(document.root(), document.device());
   const Macro macro(document, "making the scene solid");
+  for (const NegativeSize& size : negativeSizes(document.root())) {
+    FieldValue drawn = FieldValue::of<SoSFFloat>(*size.field, -size.field->getValue());
+    document.undoStack().push(new SetField(document, size.node, size.field, std::move(drawn), "size"));
+  }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     document.undoStack().push(new InsertNode(document, document.root(), static_cast<int>(i), nodes[i].get(), "insert"));
   }

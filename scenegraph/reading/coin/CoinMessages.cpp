@@ -28,6 +28,10 @@ Diagnostic parse(const SoError* error, const std::string& file) {
   }
   if (text.starts_with("Couldn't read value for field"))
     text += ": write a value of the field's type, and numbers as digits (nan and inf are none)";
+  if (text.find("not recognized") != std::string::npos)
+    text += ": correct its spelling, or say its fields first, as in fields [ SFFloat size ], and it is kept";
+  if (text.find("non-valid floating point number") != std::string::npos)
+    text += ": write a number of no more than 3.4e38";
   diagnostic.message = text;
   return diagnostic;
 }

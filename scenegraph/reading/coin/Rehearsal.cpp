@@ -10,6 +10,7 @@
 #include <Inventor/nodes/SoShape.h>
 
 #include <algorithm>
+#include <chrono>
 #include <stdexcept>
 
 #include "scenegraph/Keyword.h"
@@ -61,6 +62,12 @@ SoCallbackAction::Response tellShape(void*, SoCallbackAction* action, const SoNo
 void ignoreTriangle(void*, SoCallbackAction*, const SoPrimitiveVertex*, const SoPrimitiveVertex*,
                     const SoPrimitiveVertex*) {}
 
+/// For turning a binary scene into text: several times what Coin needs for a good one. For a count of values that is
+/// wrong, it makes room for them in a time that grows with its square.
+std::chrono::seconds timeFor(const std::string& bytes) {
+  return std::min(std::chrono::seconds(5 + 5 * (bytes.size() >> 20)), std::chrono::seconds(30));
+}
+
 /// All that the program will have Coin do, but for drawing.
 void goThrough(SoNode* root) {
   SoCallbackAction triangles;
@@ -91,7 +98,7 @@ Isolated rehearse(const std::string& text) {
 }
 
 Isolated convertBinary(const std::string& bytes) {
-  Isolated converted = runIsolated([&] {
+  const auto convert = [&] {
     tellProgress("reads the scene, which is binary");
     const CoinMessages messages{std::string()};
     const auto root = read(bytes);
@@ -105,7 +112,8 @@ Isolated convertBinary(const std::string& bytes) {
     tellProgress("turns the scene, which is binary, into text");
     static constexpr int kDigits = 9;  // every float comes back as it was
     return graphText(root.get(), kDigits);
-  });
+  };
+  Isolated converted = runIsolated(convert, timeFor(bytes));
   converted.line = 0;  // there are none
   return converted;
 }

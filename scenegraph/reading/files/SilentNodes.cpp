@@ -19,7 +19,7 @@ namespace {
 /// Reads its fields and nothing else. Coin's sensors, which load a file as soon as its name changes, learn of no
 /// change.
 template <typename Node>
-class Silent final : public Node {
+class Silent : public Node {
  public:
   Silent() {
     for (SoField* field : namedFields(this).fields) field->enableNotify(FALSE);
@@ -27,6 +27,13 @@ class Silent final : public Node {
 
  protected:
   SbBool readInstance(SoInput* in, unsigned short flags) override { return SoNode::readInstance(in, flags); }
+};
+
+/// A picture on the screen, not in the scene. Coin makes triangles of it by a call of GLU's that needs a display, and
+/// crashes where there is none.
+class SilentImage final : public Silent<SoImage> {
+ protected:
+  void generatePrimitives(SoAction*) override {}
 };
 
 class SilentFile final : public SoFile {
@@ -51,7 +58,7 @@ void silenceFileNodes() {
   replace<SoTexture3>();
   replace<SoTextureCubeMap>();
   replace<SoBumpMap>();
-  replace<SoImage>();
+  replace<SoImage, SilentImage>();
   replace<SoVRMLImageTexture>();
   replace<SoVRMLAudioClip>();
   SoVRMLInline::setReadAsSoFile(FALSE);  // WWWInline opens nothing without a callback

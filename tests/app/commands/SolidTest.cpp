@@ -60,6 +60,34 @@ INSTANTIATE_TEST_SUITE_P(Formats, SolidModel,
                                            Model{"Vrml2", kVrml2, 0, 200}),
                          [](const auto& one) { return one.param.name; });
 
+TEST(Solid, FeelsNegativeLengthsAsTheyAreDrawn) {
+  const TestFolder folder;
+  const std::string file = folder.write("model.wrl", "#VRML V1.0 ascii\nSeparator {\n  Cube { width -2 }\n}\n");
+  const Ended ended = runHaptiv({"run", file, "--solid", "--fast", "--seconds", "0.1"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("model.wrl:3: warning: Cube: width is -2: --solid takes it as 2"));
+}
+
+TEST(Solid, SaysWhyNothingCanBeMadeSolid) {
+  const TestFolder folder;
+  const std::string file = folder.write("empty.iv", "#Inventor V2.1 ascii\nInfo { string \"nothing\" }\n");
+  const Ended ended = runHaptiv({"run", file, "--solid", "--fast", "--seconds", "0.1"});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.err, HasSubstr("it shows no shape"));
+  EXPECT_THAT(ended.err, ::testing::Not(HasSubstr("has no tool")));
+}
+
+TEST(Solid, DoesWithoutWhatIsDrawnOnTheScreen) {
+  const TestFolder folder;
+  const std::string file =
+      folder.write("model.iv",
+                   "#Inventor V2.1 ascii\nCube { }\nImage { image 2 2 1 0 255 255 0 width 100 height "
+                   "100 }\nText2 { string \"here\" }\nTranslate1Dragger { }\n");
+  const Ended ended = runHaptiv({"run", file, "--solid", "--fast", "--seconds", "0.1", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("model.iv:3: warning: Image: is not felt"));
+}
+
 TEST(Solid, LeavesASceneAloneThatSaysWhatIsFelt) {
   const TestFolder folder;
   const Ended ended = runHaptiv(

@@ -244,6 +244,18 @@ TEST(MakeSolid, IsOneStepThatCanBeUndone) {
   EXPECT_EQ(scene.document.text(), before);
 }
 
+TEST(MakeSolid, TakesNegativeLengthsAsTheyAreDrawn) {
+  EditedScene scene("#Inventor V2.1 ascii\nCube { width -2 }\n");
+  const std::string before = scene.document.text();
+  makeSolid(scene.document);
+  letEventsRun();
+  ASSERT_TRUE(scene.document.compiled().scene);
+  EXPECT_EQ(scene.document.compiled().scene->walls.size(), 1u);
+  scene.document.undoStack().undo();
+  letEventsRun();
+  EXPECT_EQ(scene.document.text(), before);
+}
+
 TEST(MakeSolid, IsNotForScenesThatSayWhatIsFelt) {
   EXPECT_FALSE(isScenery(EditedScene(kTwoWalls).items()));
   EXPECT_FALSE(isScenery(EditedScene("#Inventor V2.1 ascii\nHapticTool { }\n").items())) << "nothing is there";

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
+#include <chrono>
 #include <fstream>
 #include <stdexcept>
 
@@ -37,6 +38,18 @@ TEST(Isolated, SurvivesACrashAndSaysWhereItWas) {
 
 TEST(Isolated, TellsAnExceptionAsAFault) {
   EXPECT_EQ(runIsolated([]() -> std::string { throw std::runtime_error("no cube"); }).fault, "no cube");
+}
+
+TEST(Isolated, EndsWhatDoesNotEnd) {
+  const Isolated ended = runIsolated(
+      [] {
+        tellProgress("counts");
+        for (volatile unsigned count = 0;; count = count + 1) {
+        }
+        return std::string("never");
+      },
+      std::chrono::seconds(1));
+  EXPECT_THAT(ended.fault, HasSubstr("takes longer than 1 s while it counts"));
 }
 
 TEST(Isolated, OpensNoFile) {

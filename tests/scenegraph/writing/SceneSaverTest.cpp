@@ -1,4 +1,4 @@
-#include <Inventor/manips/SoHandleBoxManip.h>
+#include <Inventor/nodes/SoTransform.h>
 #include <Inventor/nodes/SoTranslation.h>
 #include <gmock/gmock.h>
 
@@ -47,10 +47,14 @@ TEST(SceneWriter, RefusesNumbersThatCannotBeReadBack) {
   }
 }
 
-TEST(SceneWriter, RefusesTheHandlesOfAnEditor) {
-  const SceneFile scene = read("Cube { }");
-  scene.root->addChild(new SoHandleBoxManip);
-  EXPECT_THAT(messageOf([&] { writeSceneText(scene.root.get()); }), HasSubstr("HandleBoxManip"));
+TEST(SceneWriter, KeepsTheDraggersAndManipulatorsOfAFile) {
+  const SceneFile scene =
+      read("HandleBoxManip { translation 1 2 3 } Cube { } TrackballDragger { } Translate1Dragger { }");
+  const SceneFile again = readSceneText(writeSceneText(scene.root.get()), "again");
+  ASSERT_TRUE(again.root) << textOf(again.diagnostics);
+  ASSERT_EQ(again.root->getNumChildren(), 4);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(again.root->getChild(i)->getTypeId(), scene.root->getChild(i)->getTypeId());
+  EXPECT_EQ(static_cast<SoTransform*>(again.root->getChild(0))->translation.getValue(), SbVec3f(1, 2, 3));
 }
 
 TEST(SceneSaver, ReplacesAFileAndKeepsItsPermissionsAndLinks) {
