@@ -83,9 +83,9 @@ TEST(GatheredBlocks, DoNotFitWhereTheyAreTooMany) {
 }
 
 /// A hand that wanders about the surface: slowly and fast, with halts, turns and jumps.
-class Wanderer {
+class BallOverMeshes {
  public:
-  explicit Wanderer(unsigned seed) : random_(seed) {}
+  explicit BallOverMeshes(unsigned seed) : random_(seed) {}
   Vector3 next(double radius) {
     if (tick_++ % 50 == 0) {
       speed_ = radius * std::pow(10, random_.between(-3, 0));
@@ -111,7 +111,7 @@ TEST(RememberedBlocks, ChangeNothingButTheTime) {
   for (const double radius : {0.002, 0.01, 0.04}) {
     HapticScene scene = twoSpheres(60);
     scene.version = 1;
-    Wanderer hand(static_cast<unsigned>(1e4 * radius));
+    BallOverMeshes hand(static_cast<unsigned>(1e4 * radius));
     ContactSet remembering, forgetful;
     int touched = 0, remembered = 0;
     for (int tick = 0; tick < 6000; ++tick) {
