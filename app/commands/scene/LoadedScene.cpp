@@ -109,6 +109,8 @@ void requireReadable(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     throw CommandFailure(kCouldNot, path + ": this is a folder; name a file in it");
+  if (std::filesystem::is_fifo(path, ignored))  // opening one waits for who writes to it
+    throw CommandFailure(kCouldNot, path + ": this is a pipe; name a file");
   if (!std::ifstream(path))
     throw CommandFailure(kCouldNot, path + ": cannot be read: " + std::strerror(errno) + "; check the path");
 }

@@ -228,7 +228,7 @@ TEST(MeshContact, PushesOutOfAClosedMeshThatAppearsAroundTheBall) {
 TEST(MeshContact, GoesAlongWithAMeshThatIsMovedAndLetsGoOfOneThatIsGone) {
   const auto at = [](double z) {
     HapticScene scene = sceneOf({meshWall(moved(plateSoup(1), Matrix3::Identity(), {0, 0, z}))});
-    scene.version = static_cast<std::uint32_t>(10 + 1e4 * z);
+    scene.version = static_cast<std::uint32_t>(100 + 1e4 * z);
     return scene;
   };
   ContactSet contacts;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
+#include <atomic>
 #include <chrono>
 #include <fstream>
 #include <stdexcept>
@@ -44,7 +45,7 @@ TEST(Isolated, EndsWhatDoesNotEnd) {
   const Isolated ended = runIsolated(
       [] {
         tellProgress("counts");
-        for (volatile unsigned count = 0;; count = count + 1) {
+        for (std::atomic<unsigned> count = 0;; ++count) {
         }
         return std::string("never");
       },
