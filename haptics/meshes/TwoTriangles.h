@@ -3,11 +3,9 @@
 #include <array>
 
 #include "device/types.h"
+#include "haptics/shapes/Pair.h"
 
 namespace haptiv {
-
-/// Two numbers that are computed side by side.
-using Pair = double __attribute__((vector_size(16)));
 
 /// Where the corners of a triangle are.
 using CornerPointers = std::array<const Vector3*, 3>;
