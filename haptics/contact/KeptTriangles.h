@@ -39,12 +39,9 @@ class KeptTriangles {
   /// How p_W lies to two triangles (or to one, twice); from now on their bounds are those from there.
   void measure(const HapticScene& scene, std::size_t i, std::size_t j, const Vector3& p_W, TwoDistances& two) noexcept {
     measureTwo(p_W, {triangle_[i].corners(scene), triangle_[j].corners(scene)}, two);
-    const Vector3 p = p_W - origin_;
-    const double rounding = roundingAt(p_W);
     for (const auto& [lane, at] : {std::pair(0, i), std::pair(1, j)}) {
       const double distance = std::sqrt(two.squared[lane]), perLength = distance > 0 ? 1 / distance : 0;
-      const Vector3 normal = perLength * two.awayOf(lane);
-      bound(at, normal, distance - normal.dot(p) - rounding);
+      boundFrom(p_W, at, perLength * two.awayOf(lane), distance);
     }
   }
   /// The same of one: from its nearest point to p_W.
@@ -52,7 +49,7 @@ class KeptTriangles {
     const Vector3 away = triangle_[i].away(scene, p_W);
     const double distance = away.norm();
     const Vector3 normal = distance > 0 ? Vector3(away / distance) : Vector3::Zero();
-    bound(i, normal, distance - normal.dot(p_W - origin_) - roundingAt(p_W));
+    boundFrom(p_W, i, normal, distance);
     return away;
   }
 
@@ -104,6 +101,10 @@ class KeptTriangles {
 
  private:
   static double roundingAt(const Vector3& p_W) noexcept { return 4e-15 * p_W.cwiseAbs().maxCoeff(); }
+  /// As measured from p_W.
+  void boundFrom(const Vector3& p_W, std::size_t i, const Vector3& normal, double distance) noexcept {
+    bound(i, normal, distance - normal.dot(p_W - origin_) - roundingAt(p_W));
+  }
   void bound(std::size_t i, const Vector3& normal, double offset) noexcept {
     for (std::size_t axis = 0; axis < 3; ++axis) normal_[axis][i] = normal[static_cast<Eigen::Index>(axis)];
     offset_[i] = offset;

@@ -1,6 +1,6 @@
 #include "haptics/contact/MeasuredWalls.h"
 
-#include "haptics/shapes/StraightBoxSurface.h"
+#include "haptics/scene/NearShapes.h"
 
 namespace haptiv {
 namespace {
@@ -27,23 +27,22 @@ void takeNear(NearSurfaces& near, std::size_t wall, const SurfacePoint& point) n
   near.surface[at] = found;
 }
 
-}  // namespace
-
-void MeasuredWalls::measure(std::size_t wall) noexcept {
-  const Shape& shape = scene_.walls[wall].shape;
-  if (shape.kind == Shape::Kind::mesh) return;
-  const SurfacePoint point = nearestSurface(shape, place_);
-  if (point.distance < reach_) takeNear(near_, wall, point);
+auto takeInto(NearSurfaces& near) noexcept {
+  return [&near](std::size_t wall, const SurfacePoint& point) { takeNear(near, wall, point); };
 }
 
-void MeasuredWalls::measureAll() noexcept {
-  for (std::size_t i = 0; i < scene_.walls.size(); ++i) measure(i);
+bool isNoMesh(const Shape& shape) noexcept {
+  return shape.kind != Shape::Kind::mesh;
+}
+
+}  // namespace
+
+void MeasuredWalls::search() noexcept {
+  forEachNear(scene_.walls, scene_.wallIndex, place_, reach_, isNoMesh, takeInto(near_));
 }
 
 void MeasuredWalls::measure(const ShapeIndex::Entry& entry) noexcept {
-  if (!entry.isStraight) return measure(std::size_t{entry.shape});
-  const SurfacePoint point = nearestOnStraightBox(entry.box, BesideBox(entry.box, place_));
-  if (point.distance < reach_) takeNear(near_, entry.shape, point);
+  measureEntry(scene_.walls, entry, place_, reach_, isNoMesh, takeInto(near_));
 }
 
 void MeasuredWalls::measureEach(const ShapeIndex::Entry& a, const ShapeIndex::Entry& b) noexcept {

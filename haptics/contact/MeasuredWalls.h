@@ -14,10 +14,9 @@ class MeasuredWalls {
     near_.count = 0;
   }
 
-  /// In any order: they come to stand by rising number, the nearest ones where they are too many. Meshes do not count.
-  void measure(const ShapeIndex::Entry& entry) noexcept;
-  /// Where the scene has no index.
-  void measureAll() noexcept;
+  /// All that are near, however many boxes that takes: the nearest ones where they are too many, by rising number.
+  /// Apart from who calls it, whose own way is short and is gone in nearly all ticks.
+  [[gnu::noinline]] void search() noexcept;
 
   /// By rising number, and no more than there is room for. The same one twice is one.
   [[gnu::always_inline]] void measureTwo(const ShapeIndex::Entry& a, const ShapeIndex::Entry& b) noexcept {
@@ -30,7 +29,7 @@ class MeasuredWalls {
   }
 
  private:
-  void measure(std::size_t wall) noexcept;
+  void measure(const ShapeIndex::Entry& entry) noexcept;
   void measureEach(const ShapeIndex::Entry& a, const ShapeIndex::Entry& b) noexcept;
   /// Written in any case and then counted or not: nobody could foresee a jump.
   template <int Lane>

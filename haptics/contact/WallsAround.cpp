@@ -35,21 +35,15 @@ struct WallsToRemember {
   }
 };
 
-/// Where they are not remembered.
-[[gnu::noinline]] void searchTree(const ShapeIndex& index, const Vector3& place, double reach,
-                                  MeasuredWalls& walls) noexcept {
-  index.tree.forEachNear(place, reach, [&](std::uint32_t item) { walls.measure(index.entries[item]); });
-}
-
 }  // namespace
 
 void findWallsAround(const HapticScene& scene, const Vector3& place, double reach, const BallCourse& course,
                      RememberedBoxes& boxes, NearSurfaces& near) noexcept {
   const ShapeIndex& index = scene.wallIndex;
   MeasuredWalls walls(scene, place, reach, near);
-  if (index.tree.size() != scene.walls.size()) return walls.measureAll();
+  if (index.tree.size() != scene.walls.size()) return walls.search();
   const auto items = boxes.near(index.tree, place, reach, WallsToRemember{scene, course});
-  if (!items || items->size() > NearSurfaces::kMost) return searchTree(index, place, reach, walls);
+  if (!items || items->size() > NearSurfaces::kMost) return walls.search();
   for (std::size_t i = 0; i < items->size(); i += 2) {
     walls.measureTwo(index.entries[(*items)[i]], index.entries[(*items)[std::min(i + 1, items->size() - 1)]]);
   }

@@ -93,8 +93,9 @@ class RememberedBoxes {
     items_ = 0;
     for (; near != 0; near &= near - 1) {
       const std::uint32_t item = known().item(static_cast<std::size_t>(std::countr_zero(near)));
+      const std::uint32_t number = keeper.number(item);
       std::size_t at = items_++;
-      for (; at > 0 && keeper.number(item_[at - 1]) > keeper.number(item); --at) item_[at] = item_[at - 1];
+      for (; at > 0 && keeper.number(item_[at - 1]) > number; --at) item_[at] = item_[at - 1];
       item_[at] = item;
     }
   }

@@ -10,29 +10,38 @@
 
 namespace haptiv {
 
-/// Calls `visit(index, nearestSurface)` for every wall or zone whose surface is nearer to p_W than `reach`, or that
-/// has p_W inside; of those that are no boxes, only where isMeant(shape). In no particular order, though always in the
-/// same one. Realtime-safe: yes, where computeBounds was called or not.
+/// Calls `visit(index, nearestSurface)` for a wall or zone if its surface is nearer to p_W than `reach`, or if it has
+/// p_W inside; where it is no box, only if isMeant(shape). Realtime-safe: yes.
+template <typename Felt, typename IsMeant, typename Visit>
+void measureShape(const std::vector<Felt>& shapes, std::size_t shape, const Vector3& p_W, double reach,
+                  IsMeant&& isMeant, Visit&& visit) noexcept {
+  if (shapes[shape].shape.kind != Shape::Kind::box && !isMeant(shapes[shape].shape)) return;
+  const SurfacePoint surface = nearestSurface(shapes[shape].shape, p_W);
+  if (surface.distance < reach) visit(shape, surface);
+}
+
+/// The same of an entry of their index.
+template <typename Felt, typename IsMeant, typename Visit>
+void measureEntry(const std::vector<Felt>& shapes, const ShapeIndex::Entry& entry, const Vector3& p_W, double reach,
+                  IsMeant&& isMeant, Visit&& visit) noexcept {
+  if (!entry.isStraight) return measureShape(shapes, entry.shape, p_W, reach, isMeant, visit);
+  const BesideBox point(entry.box, p_W);
+  if (!(point.gap.maxCoeff() < reach)) return;
+  const SurfacePoint surface = nearestOnStraightBox(entry.box, point);
+  if (surface.distance < reach) visit(std::size_t{entry.shape}, surface);
+}
+
+/// The same of all of them. In no particular order, though always in the same one. Realtime-safe: yes, where
+/// computeBounds was called or not.
 template <typename Felt, typename IsMeant, typename Visit>
 void forEachNear(const std::vector<Felt>& shapes, const ShapeIndex& index, const Vector3& p_W, double reach,
                  IsMeant&& isMeant, Visit&& visit) noexcept {
-  const auto measure = [&](std::size_t shape) {
-    if (shapes[shape].shape.kind != Shape::Kind::box && !isMeant(shapes[shape].shape)) return;
-    const SurfacePoint surface = nearestSurface(shapes[shape].shape, p_W);
-    if (surface.distance < reach) visit(shape, surface);
-  };
   if (index.tree.size() != shapes.size()) {
-    for (std::size_t i = 0; i < shapes.size(); ++i) measure(i);
+    for (std::size_t i = 0; i < shapes.size(); ++i) measureShape(shapes, i, p_W, reach, isMeant, visit);
     return;
   }
-  index.tree.forEachNear(p_W, reach, [&](std::uint32_t item) {
-    const ShapeIndex::Entry& entry = index.entries[item];
-    if (!entry.isStraight) return measure(entry.shape);
-    const BesideBox point(entry.box, p_W);
-    if (!(point.gap.maxCoeff() < reach)) return;
-    const SurfacePoint surface = nearestOnStraightBox(entry.box, point);
-    if (surface.distance < reach) visit(std::size_t{entry.shape}, surface);
-  });
+  index.tree.forEachNear(
+      p_W, reach, [&](std::uint32_t item) { measureEntry(shapes, index.entries[item], p_W, reach, isMeant, visit); });
 }
 
 template <typename Felt, typename Visit>
