@@ -15,6 +15,7 @@
 #include "scenegraph/reading/files/ScenePath.h"
 #include "scenegraph/reading/graph/GraphWalk.h"
 #include "scenegraph/reading/graph/NodeLines.h"
+#include "scenegraph/reading/graph/NurbsRules.h"
 #include "scenegraph/reading/graph/NurbsSwitch.h"
 #include "scenegraph/reading/graph/ShapeIndices.h"
 #include "scenegraph/reading/text/Header.h"
@@ -143,17 +144,15 @@ NodeRef<SoSeparator> SceneReader::include(SceneFile& scene, const fs::path& path
 }
 
 void SceneReader::judge(SceneFile& scene) {
-  Diagnostics trimmed;
-  for (const SoNode* shape : switchOffTrimmedNurbs(scene.root.get())) {
-    trimmed.push_back({Severity::warning,
-                       {},
-                       0,
-                       describe(shape),
-                       "is neither shown nor felt, as NURBS are not in a scene with profiles, which trim them: convert "
-                       "it to triangles",
-                       shape});
+  Diagnostics left;
+  for (const SoNode* shape : switchOffNurbs(scene.root.get())) {
+    const std::string why =
+        isEmptyNurbs(shape) ? "is neither shown nor felt, for it has no control points: give it some, or remove it"
+                            : "is neither shown nor felt, as NURBS are not in a scene with profiles, which trim them: "
+                              "convert it to triangles";
+    left.push_back({Severity::warning, {}, 0, describe(shape), why, shape});
   }
-  addLocated(scene, std::move(trimmed));
+  addLocated(scene, std::move(left));
   const auto [why, node] = expansionFault(scene.root.get());
   if (!why.empty()) {
     const bool isRoot = node == scene.root.get();

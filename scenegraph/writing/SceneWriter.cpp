@@ -10,6 +10,7 @@
 
 #include "scenegraph/Keyword.h"
 #include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/coin/CoinMessages.h"
 #include "scenegraph/reading/graph/GraphWalk.h"
 #include "scenegraph/writing/GraphText.h"
 
@@ -52,6 +53,7 @@ bool hasPrototypes(SoNode* root) {
 }
 
 std::string writeSceneText(SoNode* root) {
+  const CoinMessages silence{std::string()};  // of prototypes within each other Coin counts wrongly, and writes well
   for (const SoNode* node : writtenNodes(root)) checkNumbers(node);
   static constexpr int kDigits = 8;
   return graphText(root, kDigits, hasPrototypes(root) ? "#VRML V2.0 utf8" : "#Inventor V2.1 ascii");

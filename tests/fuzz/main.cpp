@@ -21,8 +21,10 @@
 #include <map>
 #include <stdexcept>
 
+#include "scenegraph/MakeSolid.h"
 #include "scenegraph/SceneCompiler.h"
 #include "scenegraph/SceneFile.h"
+#include "scenegraph/SolidModel.h"
 #include "tests/fuzz/Mutation.h"
 
 namespace haptiv {
@@ -94,7 +96,15 @@ std::vector<std::string> wordsOfCoin() {
 /// How the scenes fared, by the message of their first error.
 using Tally = std::map<std::string, int>;
 
-/// The laws: reading, compiling and writing end, and what has been written can be read.
+/// All of it is felt, as with --solid.
+void tryAsSolid(const SceneFile& scene) {
+  static const DeviceDescription device = loadDeviceDescription("vishard10");
+  for (const NegativeSize& size : negativeSizes(scene.root.get())) size.field->setValue(-size.field->getValue());
+  for (const NodeRef<>& node : solidNodes(scene.root.get(), device)) scene.root->insertChild(node.get(), 0);
+  SceneCompiler().compile(scene);
+}
+
+/// The laws: reading, compiling, making solid and writing end, and what has been written can be read.
 void tryOne(const std::string& text, Tally& tally) {
   const SceneFile scene = readSceneText(text, "fuzz.iv");
   if (!scene.root) {
@@ -113,6 +123,7 @@ void tryOne(const std::string& text, Tally& tally) {
   } catch (const std::runtime_error&) {
     return;  // a value that no file can hold
   }
+  tryAsSolid(scene);
   const SceneFile again = readSceneText(written, "fuzz.iv");
   if (again.root) {
     SceneCompiler().compile(again);

@@ -91,7 +91,7 @@ Isolated rehearse(const std::string& text) {
     const CoinMessages silence{std::string()};
     const auto root = read(text);
     if (!root) return std::string();
-    switchOffTrimmedNurbs(root.get());
+    switchOffNurbs(root.get());
     if (expansionFault(root.get()).why.empty() && !hasErrors(shapeIndexFaults(root.get()))) goThrough(root.get());
     return std::string();
   });

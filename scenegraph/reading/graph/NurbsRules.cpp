@@ -1,5 +1,6 @@
 #include "scenegraph/reading/graph/NurbsRules.h"
 
+#include <Inventor/fields/SoSFInt32.h>
 #include <Inventor/nodes/SoIndexedNurbsCurve.h>
 #include <Inventor/nodes/SoIndexedNurbsSurface.h>
 #include <Inventor/nodes/SoNurbsCurve.h>
@@ -82,6 +83,7 @@ std::string surfaceFault(const Surface& node, const AttributesInForce& state, co
   const Spline v("v", node.numVControlPoints.getValue(), node.vKnotVector);
   const Spline s("s", node.numSControlPoints.getValue(), node.sKnotVector);
   const Spline t("t", node.numTControlPoints.getValue(), node.tKnotVector);
+  if (!u.isUsed() && !v.isUsed()) return {};
   const bool hasTexture = s.isUsed() || t.isUsed();
   for (const Spline* spline : {&u, &v}) {
     if (std::string fault = spline->fault(); !fault.empty()) return fault;
@@ -100,6 +102,7 @@ std::string surfaceFault(const Surface& node, const AttributesInForce& state, co
 template <typename Curve>
 std::string curveFault(const Curve& node, const AttributesInForce& state, const SoMFInt32* index) {
   const Spline spline("it", node.numControlPoints.getValue(), node.knotVector);
+  if (!spline.isUsed()) return {};
   std::string fault = spline.fault();
   if (fault.empty() && spline.pieces() > kMostPatches) fault = "has too many pieces: write lines";
   return fault.empty() ? reachFault(spline.points(), state.coordinates, index) : fault;
@@ -113,6 +116,14 @@ bool isNurbs(const SoNode* node) {
     if (node && node->isOfType(type)) return true;
   }
   return false;
+}
+
+bool isEmptyNurbs(const SoNode* node) {
+  static const SbName kCounts[] = {"numUControlPoints", "numVControlPoints", "numControlPoints"};
+  return isNurbs(node) && std::ranges::all_of(kCounts, [node](const SbName& name) {
+           const auto* count = dynamic_cast<const SoSFInt32*>(node->getField(name));
+           return !count || count->getValue() == 0;
+         });
 }
 
 std::string nurbsFault(const SoNode* node, const AttributesInForce& state) {

@@ -8,6 +8,7 @@
 #include <Inventor/nodes/SoSwitch.h>
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "scenegraph/NodeRef.h"
 #include "scenegraph/reading/graph/GraphWalk.h"
@@ -16,24 +17,26 @@
 namespace haptiv {
 namespace {
 
-void replaceChildren(SoGroup* group) {
+using Shapes = std::unordered_set<const SoNode*>;
+
+void replaceChildren(SoGroup* group, const Shapes& shapes) {
   for (int i = 0; i < group->getNumChildren(); ++i) {
     SoNode* child = group->getChild(i);
-    if (!isNurbs(child)) continue;
+    if (!shapes.contains(child)) continue;
     auto* off = new SoSwitch;  // whichChild is SO_SWITCH_NONE
     off->addChild(child);
     group->replaceChild(i, off);
   }
 }
 
-void clearFields(SoNode* node) {
+void clearFields(SoNode* node, const Shapes& shapes) {
   SoFieldList fields;
   const int count = node->getFields(fields);
   for (int i = 0; i < count; ++i) {
-    if (auto* one = dynamic_cast<SoSFNode*>(fields[i]); one && isNurbs(one->getValue())) one->setValue(nullptr);
+    if (auto* one = dynamic_cast<SoSFNode*>(fields[i]); one && shapes.contains(one->getValue())) one->setValue(nullptr);
     if (auto* many = dynamic_cast<SoMFNode*>(fields[i])) {
       for (int k = many->getNum() - 1; k >= 0; --k) {
-        if (isNurbs((*many)[k])) many->deleteValues(k, 1);
+        if (shapes.contains((*many)[k])) many->deleteValues(k, 1);
       }
     }
   }
@@ -41,20 +44,21 @@ void clearFields(SoNode* node) {
 
 }  // namespace
 
-std::vector<const SoNode*> switchOffTrimmedNurbs(SoNode* root) {
+std::vector<const SoNode*> switchOffNurbs(SoNode* root) {
   std::vector<const SoNode*> shapes;
   const std::vector<SoNode*> nodes = writtenNodes(root);
   const bool mayBeTrimmed =
       std::ranges::any_of(nodes, [](const SoNode* node) { return node->isOfType(SoProfile::getClassTypeId()); });
   for (SoNode* node : nodes) {
-    if (mayBeTrimmed && isNurbs(node)) shapes.push_back(node);
+    if (isEmptyNurbs(node) || (mayBeTrimmed && isNurbs(node))) shapes.push_back(node);
   }
   if (shapes.empty()) return shapes;
+  const Shapes off(shapes.begin(), shapes.end());
   std::vector<NodeRef<SoNode>> kept;  // a field may be the last that holds one
   for (SoNode* node : nodes) kept.emplace_back(node);
   for (SoNode* node : nodes) {
-    clearFields(node);
-    if (auto* group = dynamic_cast<SoGroup*>(node)) replaceChildren(group);
+    clearFields(node, off);
+    if (auto* group = dynamic_cast<SoGroup*>(node)) replaceChildren(group, off);
   }
   return shapes;
 }

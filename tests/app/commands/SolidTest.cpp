@@ -88,6 +88,18 @@ TEST(Solid, DoesWithoutWhatIsDrawnOnTheScreen) {
   EXPECT_THAT(ended.err, HasSubstr("model.iv:3: warning: Image: is not felt"));
 }
 
+TEST(Solid, PassesOnNoRemarksOfCoinOnPrototypesWithinEachOther) {
+  const TestFolder folder;
+  const std::string file =
+      folder.write("robot.wrl",
+                   "#VRML V2.0 utf8\n"
+                   "PROTO Joint [ exposedField MFNode children [] ] { Group { children IS children } }\n"
+                   "Joint { children Joint { children Shape { geometry Box { } } } }\n");
+  const Ended ended = runHaptiv({"run", file, "--solid", "--fast", "--seconds", "0.1"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.err, ::testing::Not(HasSubstr("Coin warning")));
+}
+
 TEST(Solid, LeavesASceneAloneThatSaysWhatIsFelt) {
   const TestFolder folder;
   const Ended ended = runHaptiv(
