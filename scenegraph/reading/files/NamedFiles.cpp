@@ -10,6 +10,7 @@
 
 #include "scenegraph/Keyword.h"
 #include "scenegraph/reading/coin/CoinMessages.h"
+#include "scenegraph/reading/files/FontNames.h"
 #include "scenegraph/reading/files/NamedFields.h"
 #include "scenegraph/reading/files/ScenePath.h"
 #include "scenegraph/reading/graph/GraphWalk.h"
@@ -134,10 +135,19 @@ class Loader {
 
   /// Coin asks the system for fonts by their names, and takes a path for a name.
   void checkFont(SoNode* node, SoField* field, const std::vector<std::string>& names) {
-    if (names.empty() || names.front().find('/') == std::string::npos) return;
+    if (names.empty() || names.front() == "defaultFont") return;
+    if (names.front().find('/') == std::string::npos) return checkFontIsThere(node, names.front());
     field->set("defaultFont");
     say(Severity::warning, node,
         "a font's name that is a path is not followed: write the font's name; it is taken out");
+  }
+
+  void checkFontIsThere(SoNode* node, const std::string& name) {
+    const std::string other = fontInPlaceOf(name);
+    if (other.empty()) return;
+    say(Severity::warning, node,
+        "the font \"" + name.substr(0, 200) + "\" is not on this machine, \"" + other +
+            "\" is taken in its place: install it, or write another");
   }
 
   void say(Severity severity, const SoNode* node, const std::string& message) {
