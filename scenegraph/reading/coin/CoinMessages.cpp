@@ -28,6 +28,7 @@ Diagnostic parse(const SoError* error, const std::string& file) {
   }
   if (text.starts_with("Couldn't read value for field"))
     text += ": write a value of the field's type, and numbers as digits (nan and inf are none)";
+  while (text.ends_with('.')) text.pop_back();
   if (text.find("not recognized") != std::string::npos)
     text += ": correct its spelling, or say its fields first, as in fields [ SFFloat size ], and it is kept";
   if (text.find("non-valid floating point number") != std::string::npos)

@@ -156,6 +156,7 @@ class Scanner {
   }
 
   void checkUse(const SceneToken& token, std::size_t node) {
+    if (word_ && word_->text.ends_with('=')) return;  // a field's connection, which Blinker has to itself
     const auto isIt = [&](const Level& level) { return level.node == node; };
     if (!keyword().ends_with("Script") && std::ranges::any_of(levels_, isIt)) {  // a Script only refers to it
       fail(token.line, std::string(token.text), "stands inside itself (USE within its own DEF): remove this USE");

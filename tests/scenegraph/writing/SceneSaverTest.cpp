@@ -47,6 +47,14 @@ TEST(SceneWriter, RefusesNumbersThatCannotBeReadBack) {
   }
 }
 
+TEST(SceneWriter, WritesNodesThatAreConnectedToThemselvesSoThatTheyCanBeRead) {
+  const SceneFile scene = read("Blinker { Cube { } } Pendulum { } Shuttle { } Rotor { } Cone { }");
+  const SceneFile again = readSceneText(writeSceneText(scene.root.get()), "again");
+  ASSERT_TRUE(again.root) << textOf(again.diagnostics);
+  ASSERT_EQ(again.root->getNumChildren(), 5);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(again.root->getChild(i)->getTypeId(), scene.root->getChild(i)->getTypeId());
+}
+
 TEST(SceneWriter, KeepsTheDraggersAndManipulatorsOfAFile) {
   const SceneFile scene =
       read("HandleBoxManip { translation 1 2 3 } Cube { } TrackballDragger { } Translate1Dragger { }");
