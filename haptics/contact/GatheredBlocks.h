@@ -37,12 +37,12 @@ class GatheredBlocks {
   /// Calls visit(wall, blocks) for each wall, with the blocks that BoundingTree::listWithin lists of its tree, in the
   /// same order; false where there is no room for them in `blocks`.
   template <typename Visit>
-  bool forEachWall(const HapticScene& scene, const Vector3& p_W, double reach, std::span<std::uint32_t> blocks,
+  bool forEachWall(const HapticScene& scene, const Bounds& around, double reach, std::span<std::uint32_t> blocks,
                    Visit&& visit) const noexcept {
     for (std::uint32_t wall = 0, from = 0; wall < walls_; from = end_[wall++]) {
       const BoundingTree& tree = scene.walls[wallNumber_[wall]].shape.mesh->tree;
       const auto nodes = std::span(node_).subspan(from, end_[wall] - from);
-      const std::optional<std::size_t> count = tree.listOf(nodes, p_W, reach, blocks);
+      const std::optional<std::size_t> count = tree.listOf(nodes, around, reach, blocks);
       if (!count || !visit(wallNumber_[wall], blocks.first(*count))) return false;
     }
     return true;

@@ -43,7 +43,7 @@ void MeshNeighbourhood::find(const ProxyWay& around) noexcept {
   std::array<std::uint32_t, KeptTriangles::kMost> room;
   const auto keep = [&](std::uint32_t wall, std::span<const std::uint32_t> blocks) { return keepNear(wall, blocks); };
   const GatheredBlocks* known = blocks_.around(around.middle, around.farthest());
-  isKept_ = known != nullptr ? known->forEachWall(scene_, around.middle, around.farthest(), room, keep) : searchTrees();
+  isKept_ = known != nullptr ? known->forEachWall(scene_, around.box(), around.reach, room, keep) : searchTrees();
   kept_.fetchCorners(scene_);
 }
 
@@ -53,7 +53,7 @@ bool MeshNeighbourhood::searchTrees() noexcept {
   forEachMeshWallWithin(scene_, found_.middle, found_.farthest(), [&](std::uint32_t wall) {
     const TriangleMesh& mesh = *scene_.walls[wall].shape.mesh;
     const auto soon = [&](std::uint32_t block) { fetch(mesh.blocks[block]); };
-    const auto count = fits ? mesh.tree.listWithin(found_.middle, found_.farthest(), room, soon) : std::nullopt;
+    const auto count = fits ? mesh.tree.listWithin(found_.box(), found_.reach, room, soon) : std::nullopt;
     fits = count && keepNear(wall, std::span(room).first(*count));
   });
   return fits;

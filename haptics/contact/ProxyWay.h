@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "device/types.h"
+#include "haptics/index/Bounds.h"
 
 namespace haptiv {
 
@@ -12,6 +12,9 @@ struct ProxyWay {
   Vector3 middle = Vector3::Zero();  ///< in W [m]
   Vector3 half = Vector3::Zero();    ///< the step from there to the end [m]
   double reach = 0;                  ///< [m]
+
+  /// Around the way itself: what is within `reach` of the way is within it of this box.
+  Bounds box() const noexcept { return {middle - half.cwiseAbs(), middle + half.cwiseAbs()}; }
 
   /// The ball around the middle that holds all of it.
   double farthest() const noexcept { return reach + half.norm(); }

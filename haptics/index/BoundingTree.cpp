@@ -21,9 +21,9 @@ BoundingTree::BoundingTree(std::span<const Bounds> boxes, const Bounds& all, Tre
 BoundingTree::BoundingTree(std::vector<BoxNode> nodes, const Vector3& origin, std::size_t size)
     : nodes_(std::move(nodes)), origin_(origin), farOff_(origin_.cwiseAbs().sum()), size_(size) {}
 
-std::optional<std::size_t> BoundingTree::listOf(std::span<const std::uint32_t> nodes, const Vector3& p_W, double reach,
+std::optional<std::size_t> BoundingTree::listOf(std::span<const std::uint32_t> nodes, const Bounds& from, double reach,
                                                 std::span<std::uint32_t> items) const noexcept {
-  const FloatBox query = outwards(p_W, p_W, origin_);
+  const FloatBox query = outwards(from.low, from.high, origin_);
   const float most = widened(reach);
   std::size_t listed = 0;
   for (const std::uint32_t number : nodes) {

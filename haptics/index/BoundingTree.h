@@ -69,16 +69,16 @@ class BoundingTree {
   template <typename Visit>
   void forEachWithin(const Vector3& p_W, double reach, Visit&& visit) const noexcept;
 
-  /// Lists the same items level by level: most of what is read of the tree is then on its way from memory at once, and
-  /// nothing is guessed about what is near. Returns their number, or nothing where there are more, or where the walk is
-  /// a long one.
+  /// Lists the items whose boxes are no farther from a box than `reach`, level by level: most of what is read of the
+  /// tree is then on its way from memory at once, and nothing is guessed about what is near. Returns their number, or
+  /// nothing where there are more, or where the walk is a long one.
   /// @param isListed  is called with each item as soon as it is: while the walk goes on, it may fetch what it needs
   template <typename Listed>
-  std::optional<std::size_t> listWithin(const Vector3& p_W, double reach, std::span<std::uint32_t> items,
+  std::optional<std::size_t> listWithin(const Bounds& from, double reach, std::span<std::uint32_t> items,
                                         Listed&& isListed) const noexcept;
 
   /// The same of some of the nodes alone; nothing where there are more.
-  std::optional<std::size_t> listOf(std::span<const std::uint32_t> nodes, const Vector3& p_W, double reach,
+  std::optional<std::size_t> listOf(std::span<const std::uint32_t> nodes, const Bounds& from, double reach,
                                     std::span<std::uint32_t> items) const noexcept;
 
   /// One bit for each box of one of the nodes that is no farther from p_W than `reach`.
@@ -135,11 +135,11 @@ void BoundingTree::walk(Touching&& touching, Visit&& visit) const noexcept {
 }
 
 template <typename Listed>
-std::optional<std::size_t> BoundingTree::listWithin(const Vector3& p_W, double reach, std::span<std::uint32_t> items,
+std::optional<std::size_t> BoundingTree::listWithin(const Bounds& from, double reach, std::span<std::uint32_t> items,
                                                     Listed&& isListed) const noexcept {
   constexpr std::size_t kLongWalk = 128, kWidth = BoxNode::kWidth;
   std::array<std::uint32_t, kLongWalk> nodes;
-  const FloatBox query = outwards(p_W, p_W, origin_);
+  const FloatBox query = outwards(from.low, from.high, origin_);
   const float most = widened(reach);
   std::size_t listed = 0, told = 0, known = 0, fetched = 1;
   if (!nodes_.empty()) nodes[known++] = 0;

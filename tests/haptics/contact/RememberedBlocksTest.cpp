@@ -26,7 +26,7 @@ Blocks blocksOf(const HapticScene& scene, const Vector3& p, double reach) {
   Blocks blocks;
   std::array<std::uint32_t, 1024> room;
   for (std::uint32_t wall = 0; wall < scene.walls.size(); ++wall) {
-    const auto count = scene.walls[wall].shape.mesh->tree.listWithin(p, reach, room, [](std::uint32_t) {});
+    const auto count = scene.walls[wall].shape.mesh->tree.listWithin({p, p}, reach, room, [](std::uint32_t) {});
     for (std::size_t i = 0; i < count.value_or(0); ++i) blocks.emplace_back(wall, room[i]);
   }
   return blocks;
@@ -36,7 +36,7 @@ Blocks blocksOf(const HapticScene& scene, const GatheredBlocks& gathered, const 
   Blocks blocks;
   std::array<std::uint32_t, 1024> room;
   EXPECT_TRUE(
-      gathered.forEachWall(scene, p, reach, room, [&](std::uint32_t wall, std::span<const std::uint32_t> found) {
+      gathered.forEachWall(scene, {p, p}, reach, room, [&](std::uint32_t wall, std::span<const std::uint32_t> found) {
         for (const std::uint32_t block : found) blocks.emplace_back(wall, block);
         return true;
       }));

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 #include "tests/haptics/index/RandomBoxes.h"
 
@@ -71,7 +72,7 @@ TEST_P(BoundingTreeAt, ListsWhatItVisitsWithinAReachOrNothing) {
       tree.forEachWithin(p, reach, [&](std::uint32_t item) { visited.push_back(item); });
       std::array<std::uint32_t, 100> items;
       std::vector<std::uint32_t> told;
-      const auto count = tree.listWithin(p, reach, items, [&](std::uint32_t item) { told.push_back(item); });
+      const auto count = tree.listWithin({p, p}, reach, items, [&](std::uint32_t item) { told.push_back(item); });
       ++(count ? listed : refused);
       if (!count) {
         EXPECT_GT(tree.size(), 60u);
@@ -83,6 +84,34 @@ TEST_P(BoundingTreeAt, ListsWhatItVisitsWithinAReachOrNothing) {
   });
   EXPECT_GT(listed, 500);
   EXPECT_GT(refused, 0);
+}
+
+TEST_P(BoundingTreeAt, ListsWhatIsNearABoxAndTheSameOfItsNodesAlone) {
+  const double size = GetParam().size;
+  int near = 0;
+  forRandomTrees([&](Random& random, const std::vector<Bounds>& boxes, const BoundingTree& tree) {
+    std::vector<std::uint32_t> nodes(tree.nodes().size());
+    std::iota(nodes.begin(), nodes.end(), 0U);
+    for (int query = 0; query < 100; ++query) {
+      const Vector3 p = anywhere(random), half = size * std::pow(10, random.between(-3, -0.5)) * Vector3(1, 0.5, 0.1);
+      const Bounds from{p - half, p + half};
+      const double reach = size * std::pow(10, random.between(-4, -0.5));
+      std::array<std::uint32_t, 3000> items, again;
+      const auto count = tree.listWithin(from, reach, items, [](std::uint32_t) {});
+      if (!count) continue;
+      ASSERT_EQ(tree.listOf(nodes, from, reach, again), count);
+      const std::vector<std::uint32_t> listed = sorted({items.begin(), items.begin() + *count});
+      EXPECT_EQ(listed, sorted({again.begin(), again.begin() + *count}));
+      for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+        const double distance = (boxes[i].low - from.high).cwiseMax(from.low - boxes[i].high).cwiseMax(0).norm();
+        const bool isListed = std::binary_search(listed.begin(), listed.end(), i);
+        EXPECT_TRUE(isListed || distance > reach);
+        EXPECT_TRUE(!isListed || distance <= reach + 2 * kRounding * size);
+        near += isListed ? 1 : 0;
+      }
+    }
+  });
+  EXPECT_GT(near, 300);
 }
 
 TEST_P(BoundingTreeAt, MissesNothingOnABallsWay) {
