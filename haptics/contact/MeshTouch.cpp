@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/contact/FirstTouch.h"
 #include "haptics/meshes/MeshDistance.h"
 #include "haptics/shapes/AxialPoint.h"
 
@@ -11,7 +12,6 @@ namespace {
 
 constexpr double kTouch = 1e-7;              ///< of the radius. Twice as high over an edge the normal is off by 6.4e-4:
 constexpr double kSameNormal = 1e-3;         ///< so these are one
-constexpr double kGraze = 1e-3;              ///< and this is no obstacle
 constexpr double kAboutToTouch = 1.0 / 256;  ///< of the radius
 
 /// Takes a touch into the list, or in the place of one of the same normal that is farther.
@@ -53,25 +53,10 @@ void findTouched(const HapticScene& scene, MeshNeighbourhood& meshes, const Vect
 
 double freeLength(MeshNeighbourhood& meshes, const Vector3& from_W, const Vector3& direction, double length,
                   double radius, const OutOfTheWay& out) noexcept {
-  constexpr int kNewtonSteps = 40;
-  const double tolerance = touchTolerance(from_W, radius);
+  const BallWay way{from_W, direction, length, radius, touchTolerance(from_W, radius)};
   double free = length;
-  meshes.forEachAlong(from_W, direction, radius, out, free, [&](double start, auto&& awayOf) {
-    double gone = start;
-    for (int step = 0; step < kNewtonSteps; ++step) {
-      const Vector3 p = from_W + gone * direction;
-      const Vector3 away = awayOf(p);
-      const double distance = away.norm();
-      const double growth = away.dot(direction);  // of the distance along the way, times the distance
-      // Even to the end of the way, a grazed triangle is not entered by more than an eighth of the radius.
-      const double graze = std::min(kGraze, 0.125 * radius / (length - gone));
-      if (!(growth < -graze * distance)) return;
-      if (distance - radius <= tolerance) break;
-      gone += (distance - radius) * distance / -growth;
-      if (!(gone < free)) return;
-    }
-    free = gone;
-  });
+  meshes.forEachAlong(from_W, direction, radius, out, free,
+                      [&](double start, auto&& awayOf) { free = wayToTouch(way, start, free, awayOf); });
   return free;
 }
 

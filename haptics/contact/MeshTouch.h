@@ -19,11 +19,10 @@ void findTouched(const HapticScene& scene, MeshNeighbourhood& meshes, const Vect
                  NearSurfaces& touched) noexcept;
 
 /// How far a ball gets on the straight way before it touches a triangle, 0 to `length` [m]. Triangles that it only
-/// grazes (to within a thousandth of the way) do not stop it.
+/// grazes, entering them no deeper than a thousandth of the way, do not stop it.
 ///
-/// The distance to a triangle is convex along the way, so Newton's steps come to the first touch from before it, and
-/// never pass it. Where the ball goes close by many triangles of a curved surface, these steps are many and small: the
-/// caller says which ones it need not try.
+/// Where the ball goes close by many triangles of a curved surface, the steps to the touch are many: the caller says
+/// which ones it need not try.
 /// @param out  what the whole way is farther away from than a ball's radius, to within touchTolerance
 /// Realtime-safe: yes.
 double freeLength(MeshNeighbourhood& meshes, const Vector3& from_W, const Vector3& direction, double length,
