@@ -18,6 +18,10 @@ bool holds(const ProxyPlanes& planes) noexcept {
   return std::any_of(planes.share.begin(), planes.share.begin() + planes.count, [](double share) { return share > 0; });
 }
 
+bool isNear(const Vector3& a, const Vector3& b, double reach) noexcept {
+  return (a - b).squaredNorm() <= reach * reach;
+}
+
 /// Part of the radius that may be left of the way of a proxy that is held; one that is not, has to fall on.
 double enoughAfter(int passes) noexcept {
   return passes < kFewPasses ? kArrived : passes < kMostPasses ? kAlmost : std::numeric_limits<double>::infinity();
@@ -38,6 +42,19 @@ OutOfTheWay behind(const Vector3& from, const Vector3& target, const Vector3& go
   if (!(held > kStride * radius)) return {};
   const Vector3 normal = back / held;
   return {normal, std::min(normal.dot(from), normal.dot(target)) - radius + touchTolerance(target, radius)};
+}
+
+/// Held by one triangle alone, the place next to the goal where the ball touches it, if it is outside of the half space
+/// there now; else the target. Around an edge or a corner each plane leads only half of the way there.
+Vector3 aroundTriangle(const HapticScene& scene, const NearSurface& touched, const Vector3& goal, double radius,
+                       const Vector3& from, const Vector3& target) noexcept {
+  const MeshTriangle triangle{static_cast<std::uint32_t>(touched.wall), static_cast<std::uint32_t>(touched.face)};
+  const Vector3 away = triangle.away(scene, goal);
+  const double distance = away.norm();
+  if (!(distance < radius)) return target;
+  const Vector3 normal = away / distance;
+  const Vector3 place = goal + (radius - distance) * normal;
+  return normal.dot(from - place) >= 0 ? place : target;
 }
 
 /// Without meshes there is nothing to meet on the way.
@@ -68,7 +85,10 @@ void slide(const HapticScene& scene, MeshNeighbourhood& meshes, const Vector3& g
     findTouched(scene, meshes, proxy.position, radius, proxy.touching);
     proxy.planes.count = walls;
     addPlanes(proxy.planes, proxy.touching, proxy.position, radius);
-    const Vector3 target = proxy.planes.nearest(goal);
+    Vector3 target = proxy.planes.nearest(goal);
+    const bool isAlone = walls == 0 && proxy.planes.count == 1 && holds(proxy.planes);
+    if (pass > 0 && isAlone && !isNear(target, proxy.position, kArrived * radius))
+      target = aroundTriangle(scene, proxy.touching.surface[0], goal, radius, proxy.position, target);
     const Vector3 step = target - proxy.position;
     const double length = step.norm();
     const bool isHeld = holds(proxy.planes);
