@@ -23,7 +23,7 @@ Vector3 likelyStep(const Vector3& proxy, const Vector3& step, const Vector3& goa
 
 MeshNeighbourhood::MeshNeighbourhood(const HapticScene& scene, const Vector3& proxy, const Vector3& step,
                                      const Vector3& goal, double radius, RememberedBlocks& blocks) noexcept
-    : scene_(scene), blocks_(blocks) {
+    : scene_(scene), blocks_(blocks), radius_(radius) {
   if (scene.meshIndex.tree.size() == 0 && scene.wallIndex.tree.size() == scene.walls.size()) return;
   constexpr double kFelt = 1 + 1.0 / 128, kBeside = 0.1, kAnywhere = 0.6;  // of the radius; and of the step
   const double way = step.norm();
@@ -32,9 +32,16 @@ MeshNeighbourhood::MeshNeighbourhood(const HapticScene& scene, const Vector3& pr
   wide_ = {proxy + 0.5 * step, Vector3::Zero(), std::min(kFelt * radius + kAnywhere * way, certain)};
   forEachMeshWallWithin(scene, wide_.middle, certain, [&](std::uint32_t) { isEmpty_ = false; });
   if (isEmpty_) return;
-  find({proxy + half, half, std::min(kFelt * radius + kBeside * way, certain)});
+  likely_ = {proxy + half, half, std::min(kFelt * radius + kBeside * way, certain)};
+  find(likely_);
+}
+
+void MeshNeighbourhood::lookAhead() noexcept {
   constexpr double kHaste = 0.25, kMargin = 0.75;  // of the radius
-  if (way < kHaste * radius) blocks.lookAhead(scene, found_.middle, 2 * half, found_.farthest(), kMargin * radius);
+  constexpr int kMuch = 5;
+  const Vector3 step = 2 * likely_.half;
+  if (isEmpty_ || !(step.norm() < kHaste * radius_) || blocks_.mayRest(asked_ >= kMuch)) return;
+  blocks_.lookAhead(scene_, likely_.middle, step, likely_.farthest(), kMargin * radius_);
 }
 
 void MeshNeighbourhood::find(const ProxyWay& around) noexcept {

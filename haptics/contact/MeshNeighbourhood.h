@@ -24,6 +24,10 @@ class MeshNeighbourhood {
   /// Whether no mesh is as near as the proxy can feel.
   bool isEmpty() const noexcept { return isEmpty_; }
 
+  /// Gathers a little of what the next ticks will ask for; at the end of a tick. One that asked for much itself leaves
+  /// it to the next, but not twice in a row.
+  void lookAhead() noexcept;
+
   /// How much of a straight way is known without asking the trees; 0 where not even its start is [m].
   double knownAlong(const Vector3& from_W, const Vector3& direction, double length, double radius) const noexcept {
     if (isKept_ && found_.holds(from_W, radius) && found_.holds(from_W + length * direction, radius)) return length;
@@ -68,9 +72,11 @@ class MeshNeighbourhood {
   void search(Find&& find, Visit&& visit) const noexcept;
 
   const HapticScene& scene_;
-  const RememberedBlocks& blocks_;
-  ProxyWay found_;  ///< what is kept is near this
-  ProxyWay wide_;
+  RememberedBlocks& blocks_;
+  double radius_;           ///< of the ball [m]
+  ProxyWay likely_, wide_;  ///< where it probably goes; and where it may go at all
+  ProxyWay found_;          ///< what is kept is near this
+  int asked_ = 0;           ///< from how many places triangles were measured
   bool isEmpty_ = true, isKept_ = true, isWide_ = false;
   KeptTriangles kept_;
 };
@@ -89,6 +95,7 @@ void MeshNeighbourhood::search(Find&& find, Visit&& visit) const noexcept {
 
 template <typename Visit>
 void MeshNeighbourhood::forEachNear(const Vector3& p_W, double reach, Visit&& visit) noexcept {
+  ++asked_;
   if (!areKept(p_W, p_W, reach)) {
     search([&](const BoundingTree& tree, auto&& found) { tree.forEachWithin(p_W, reach, found); },
            [&](const MeshTriangle& triangle) {
@@ -141,7 +148,10 @@ void MeshNeighbourhood::forEachAlong(const Vector3& from_W, const Vector3& direc
   const std::size_t first = kept_.smallest(start);
   const auto meet = [&](std::size_t i) {
     if (start[i] < free && !kept_[i].isOut(scene_, out))
-      visit(start[i], [&](const Vector3& p) { return kept_.measure(scene_, i, p); });
+      visit(start[i], [&](const Vector3& p) {
+        ++asked_;
+        return kept_.measure(scene_, i, p);
+      });
   };
   meet(first);
   for (std::size_t i = 0; i < kept_.count(); ++i) {

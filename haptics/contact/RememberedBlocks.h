@@ -17,6 +17,9 @@ class RememberedBlocks {
     return known().fits() && known().holds(p_W, reach) ? &known() : nullptr;
   }
 
+  /// Whether it need not look ahead in this tick, if it had rather not: not twice in a row.
+  bool mayRest(bool wantsTo) noexcept { return rests_ = wantsTo && !rests_; }
+
   /// Gathers a little of what will be asked for, where p_W goes on by `step` in a tick, and what is within `reach` is
   /// asked for in each [m].
   /// @param margin  how much farther to look [m]
@@ -29,6 +32,7 @@ class RememberedBlocks {
   std::array<GatheredBlocks, 2> gathered_;
   std::size_t now_ = 0;   ///< which of them is known; the other one is gathered, and then waits to take its place
   bool gathers_ = false;  ///< or waits
+  bool rests_ = false;    ///< did not look ahead in this tick
 };
 
 }  // namespace haptiv

@@ -105,6 +105,7 @@ void touchWalls(const HapticScene& scene, const Vector3& goal, double radius, do
                                                       [&](const Contact& c) { return isExact(scene, c); });
   NearSurfaces walls;
   meetWalls(scene, meshes, goal, radius, way, wasHeld, contacts, walls, proxy);
+  meshes.lookAhead();
   keepHolding(scene, proxy, walls, goal, contacts);
   contacts.surfacePosition = proxy.position;
   contacts.goal = goal;

@@ -107,6 +107,16 @@ class BallOverMeshes {
 };
 
 /// Of small and of large balls: there the triangles are too many to be remembered, or even to be kept in a tick.
+TEST(RememberedBlocks, RestNeverTwiceInARow) {
+  RememberedBlocks blocks;
+  EXPECT_FALSE(blocks.mayRest(false));
+  EXPECT_TRUE(blocks.mayRest(true));
+  EXPECT_FALSE(blocks.mayRest(true));
+  EXPECT_TRUE(blocks.mayRest(true));
+  EXPECT_FALSE(blocks.mayRest(false));
+  EXPECT_TRUE(blocks.mayRest(true));
+}
+
 TEST(RememberedBlocks, ChangeNothingButTheTime) {
   for (const double radius : {0.002, 0.01, 0.04}) {
     HapticScene scene = twoSpheres(60);
