@@ -25,6 +25,8 @@ struct SceneFile {
 
 /// Says on which line of which file a diagnostic's source stands.
 void locate(Diagnostic& diagnostic, const SceneFile& scene);
+/// The scene now stands in this file as this text, which was written of its graph: finds the lines anew.
+void moveTo(const std::filesystem::path& path, const std::string& text, SceneFile& scene);
 
 /// Makes Coin and the haptic nodes ready; call once, before anything else here, on the GUI thread, after SoQt::init
 /// where there is a window.
@@ -36,16 +38,20 @@ SceneFile readScene(const std::filesystem::path& path, const DecodePicture& deco
 /// The same from memory. `name` stands for the path in diagnostics.
 SceneFile readSceneText(std::string_view text, const std::string& name);
 
-/// Whether the graph holds PROTOs or what they made. Its text can be read again, but what is written after that cannot:
-/// saveScene writes out what they made.
-bool hasPrototypes(SoNode* root);
+/// Judges a graph whose fields have been changed as readScene judges what it has read: indices, sizes. The diagnostics
+/// become those of that.
+void judgeAgain(SceneFile& scene);
+
+/// The first PROTO of the graph, or of what they made; null: there is none. The text of such a graph can be read again,
+/// but what is written after that cannot: saveScene writes out what they made.
+const SoNode* findPrototype(SoNode* root);
 
 /// The graph as Inventor text (VRML97, where it has prototypes), readable by readSceneText. Throws std::runtime_error
 /// where a value cannot be written and read back (NaN, infinity), naming node and field.
 std::string writeSceneText(SoNode* root);
 
-/// Writes the graph to a file: wholly or not at all. Throws std::runtime_error that says why.
-void saveScene(SoSeparator* root, const std::filesystem::path& path);
+/// Writes the graph to a file: wholly or not at all. Returns the text. Throws std::runtime_error that says why.
+std::string saveScene(SoSeparator* root, const std::filesystem::path& path);
 /// The same of any text.
 void saveText(std::string_view text, const std::filesystem::path& path);
 

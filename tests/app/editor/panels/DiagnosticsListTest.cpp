@@ -52,5 +52,33 @@ TEST(DiagnosticsList, ShowsWhatIsDoubtfulWithItsLineAndSelectsIt) {
   EXPECT_EQ(item->kind, SceneItem::Kind::wall);
 }
 
+TEST(DiagnosticsList, SelectsTheFirstOfASceneThatIsMeantAsAWhole) {
+  EditedScene scene("#Inventor V2.1 ascii\n\nSeparator {\n HapticSurface { label \"wall\" }\n Cube { } }\n");
+  DiagnosticsList list(scene.document);
+  ASSERT_EQ(list.count(), 1);
+  EXPECT_THAT(list.item(0)->text().toStdString(), testing::StartsWith("Line 3: Separator: the scene has no tool"));
+  emit list.itemClicked(list.item(0));
+  letEventsRun();
+  const std::vector<SceneItem> items = scene.items();
+  const SceneItem* item = findItem(items, scene.document.selection());
+  ASSERT_TRUE(item);
+  EXPECT_EQ(item->name, "wall");
+}
+
+TEST(DiagnosticsList, KnowsTheLinesOfWhatHasBeenSaved) {
+  EditedScene scene(kTwoWalls);
+  DiagnosticsList list(scene.document);
+  ASSERT_TRUE(scene.select("left"));
+  editProperty(
+      scene.document, "stiffness", [](const SoField& f) { return FieldValue(f, "9e6"); }, Reach::onlyThis);
+  scene.document.save(scene.pathOf("saved.iv"));
+  ASSERT_EQ(list.count(), 1);
+  SceneDocument reopened;
+  ASSERT_TRUE(reopened.open(scene.pathOf("saved.iv")));
+  ASSERT_EQ(reopened.diagnostics().size(), 1u);
+  EXPECT_GT(reopened.diagnostics().front().line, 0);
+  EXPECT_EQ(list.item(0)->toolTip().toStdString(), toText(reopened.diagnostics().front()));
+}
+
 }  // namespace
 }  // namespace haptiv
