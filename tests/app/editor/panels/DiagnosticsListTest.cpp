@@ -72,12 +72,15 @@ TEST(DiagnosticsList, KnowsTheLinesOfWhatHasBeenSaved) {
   editProperty(
       scene.document, "stiffness", [](const SoField& f) { return FieldValue(f, "9e6"); }, Reach::onlyThis);
   scene.document.save(scene.pathOf("saved.iv"));
-  ASSERT_EQ(list.count(), 1);
   SceneDocument reopened;
   ASSERT_TRUE(reopened.open(scene.pathOf("saved.iv")));
-  ASSERT_EQ(reopened.diagnostics().size(), 1u);
-  EXPECT_GT(reopened.diagnostics().front().line, 0);
-  EXPECT_EQ(list.item(0)->toolTip().toStdString(), toText(reopened.diagnostics().front()));
+  ASSERT_GT(list.count(), 0);
+  ASSERT_EQ(reopened.diagnostics().size(), static_cast<std::size_t>(list.count()));
+  for (int i = 0; i < list.count(); ++i) {
+    const Diagnostic& again = reopened.diagnostics()[static_cast<std::size_t>(i)];
+    EXPECT_GT(again.line, 0);
+    EXPECT_EQ(list.item(i)->toolTip().toStdString(), toText(again));
+  }
 }
 
 }  // namespace
