@@ -50,6 +50,10 @@ const SoNode* findPrototype(SoNode* root);
 /// where a value cannot be written and read back (NaN, infinity), naming node and field.
 std::string writeSceneText(SoNode* root);
 
+/// The same, which can be read and written any number of times: what prototypes make is written out. Throws
+/// std::runtime_error where that cannot be done. @param name  stands for the path
+std::string lastingText(SoSeparator* root, const std::string& name);
+
 /// Writes the graph to a file: wholly or not at all. Returns the text. Throws std::runtime_error that says why.
 std::string saveScene(SoSeparator* root, const std::filesystem::path& path);
 /// The same of any text.

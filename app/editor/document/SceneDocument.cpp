@@ -116,7 +116,11 @@ SoSeparator* SceneDocument::root() const {
 
 std::string SceneDocument::text() const {
   const_cast<SceneDocument*>(this)->releaseHandles();
-  return writeSceneText(parts_->file.root.get());
+  try {
+    return lastingText(parts_->file.root.get(), parts_->file.path);
+  } catch (const std::runtime_error&) {
+    return writeSceneText(parts_->file.root.get());
+  }
 }
 
 QUndoStack& SceneDocument::undoStack() {

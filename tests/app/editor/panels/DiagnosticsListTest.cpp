@@ -72,6 +72,7 @@ TEST(DiagnosticsList, KnowsTheLinesOfWhatHasBeenSaved) {
   editProperty(
       scene.document, "stiffness", [](const SoField& f) { return FieldValue(f, "9e6"); }, Reach::onlyThis);
   scene.document.save(scene.pathOf("saved.iv"));
+  letEventsRun();
   SceneDocument reopened;
   ASSERT_TRUE(reopened.open(scene.pathOf("saved.iv")));
   ASSERT_GT(list.count(), 0);

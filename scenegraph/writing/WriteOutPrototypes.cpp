@@ -1,4 +1,4 @@
-#include "scenegraph/writing/WithoutPrototypes.h"
+#include "scenegraph/writing/WriteOutPrototypes.h"
 
 #include <Inventor/fields/SoField.h>
 #include <Inventor/lists/SoFieldList.h>
@@ -6,8 +6,6 @@
 #include <Inventor/misc/SoProto.h>
 #include <Inventor/misc/SoProtoInstance.h>
 #include <Inventor/nodes/SoSeparator.h>
-
-#include <stdexcept>
 
 #include "scenegraph/reading/graph/GraphWalk.h"
 
@@ -28,19 +26,18 @@ void keepValues(SoNode* node) {
   }
 }
 
-/// A node that a prototype made is written as that for as long as its SoProtoInstance lives, which the node holds.
+/// A node that a prototype made is written as that for as long as its SoProtoInstance lives, which the node holds; so
+/// may commands that can be undone.
 void forgetPrototype(SoNode* node) {
   SoProtoInstance* made = SoProtoInstance::findProtoInstance(node);
   if (!made) return;
-  if (made->getRefCount() != 1) throw std::runtime_error("a prototype's node is used elsewhere too");
-  made->unref();
+  for (int references = made->getRefCount(); references > 0; --references) made->unref();
 }
 
 }  // namespace
 
-NodeRef<SoSeparator> withoutPrototypes(SoSeparator* root) {
-  NodeRef<SoSeparator> copy(static_cast<SoSeparator*>(root->copy(TRUE)));
-  const std::vector<SoNode*> nodes = writtenNodes(copy.get());
+void writeOutPrototypes(SoSeparator* root) {
+  const std::vector<SoNode*> nodes = writtenNodes(root);
   for (SoNode* node : nodes) keepValues(node);
   for (SoNode* node : nodes) {
     forgetPrototype(node);
@@ -50,7 +47,6 @@ NodeRef<SoSeparator> withoutPrototypes(SoSeparator* root) {
       if ((*children)[i]->isOfType(SoProto::getClassTypeId())) children->remove(i);
     }
   }
-  return copy;
 }
 
 }  // namespace haptiv
