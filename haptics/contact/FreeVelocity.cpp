@@ -1,4 +1,4 @@
-#include "haptics/laws/FreeMotion.h"
+#include "haptics/contact/FreeVelocity.h"
 
 namespace haptiv {
 
