@@ -1,4 +1,4 @@
-#include "app/session/CsvLine.h"
+#include "app/session/csv/CsvLine.h"
 
 #include <charconv>
 #include <cmath>
