@@ -9,7 +9,7 @@
 
 #include <stdexcept>
 
-#include "scenegraph/reading/graph/GraphWalk.h"
+#include "scenegraph/GraphWalk.h"
 
 namespace haptiv {
 namespace {

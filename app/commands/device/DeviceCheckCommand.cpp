@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/commands/ExitCode.h"
+#include "app/commands/NamedFile.h"
 #include "app/commands/Picture.h"
 #include "app/commands/Progress.h"
 #include "app/commands/Report.h"

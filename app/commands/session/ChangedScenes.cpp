@@ -8,6 +8,7 @@
 
 #include "app/commands/ExitCode.h"
 #include "app/commands/scene/LoadedScene.h"
+#include "scenegraph/writing/SceneWriter.h"
 
 namespace haptiv {
 namespace {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/commands/ExitCode.h"
+#include "app/commands/NamedFile.h"
 #include "app/commands/Report.h"
-#include "app/commands/scene/LoadedScene.h"
 #include "app/commands/session/SessionReport.h"
 #include "app/session/choices/SceneControl.h"
 #include "app/session/choices/SceneResolution.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/commands/ExitCode.h"
+#include "app/commands/NamedFile.h"
 #include "app/commands/session/RunPeople.h"
 #include "app/session/Falcons.h"
 #include "app/session/UsbBoards.h"

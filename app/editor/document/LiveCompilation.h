@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "device/DeviceDescription.h"
-#include "scenegraph/SceneCompiler.h"
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/compiling/SceneCompiler.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 

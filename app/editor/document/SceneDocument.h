@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "device/DeviceDescription.h"
-#include "scenegraph/SceneCompiler.h"
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/compiling/SceneCompiler.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 

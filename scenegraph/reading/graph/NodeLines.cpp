@@ -3,8 +3,8 @@
 #include <Inventor/SbName.h>
 #include <Inventor/nodes/SoNode.h>
 
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/Keyword.h"
-#include "scenegraph/reading/graph/GraphWalk.h"
 
 namespace haptiv {
 

@@ -25,10 +25,10 @@
 #include <unordered_set>
 #include <utility>
 
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/Keyword.h"
 #include "scenegraph/reading/graph/AttributesInForce.h"
 #include "scenegraph/reading/graph/CrowdedPoints.h"
-#include "scenegraph/reading/graph/GraphWalk.h"
 #include "scenegraph/reading/graph/ListMending.h"
 #include "scenegraph/reading/graph/NurbsRules.h"
 

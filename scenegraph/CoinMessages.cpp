@@ -1,4 +1,4 @@
-#include "scenegraph/reading/coin/CoinMessages.h"
+#include "scenegraph/CoinMessages.h"
 
 #include <Inventor/errors/SoDebugError.h>
 #include <Inventor/errors/SoReadError.h>

@@ -6,9 +6,9 @@
 
 #include "haptics/scene/HapticScene.h"
 #include "scenegraph/Diagnostic.h"
-#include "scenegraph/SceneFile.h"
 #include "scenegraph/compiling/SceneMemory.h"
 #include "scenegraph/compiling/ShapeOrigin.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 
@@ -21,9 +21,6 @@ struct CompiledScene {
 
 /// Told while a long compilation goes on: how many shapes and triangles have been gathered.
 using CompileProgress = std::function<void(std::size_t shapes, std::size_t triangles)>;
-
-/// How many triangles Coin draws of a scene graph. Thread: GUI.
-std::size_t drawnTriangles(SoNode* root);
 
 /// Turns a scene graph into what the servo feels. Keep one for the life of a document: it remembers which id a shape
 /// had, so that the tool's contact with a wall survives an edit, and what an edit has not touched is not read and not

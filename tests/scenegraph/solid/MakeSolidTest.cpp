@@ -1,9 +1,9 @@
-#include "scenegraph/MakeSolid.h"
+#include "scenegraph/solid/MakeSolid.h"
 
 #include <gmock/gmock.h>
 
-#include "scenegraph/SolidModel.h"
 #include "scenegraph/judging/SceneJudge.h"
+#include "scenegraph/solid/SolidModel.h"
 #include "tests/scenegraph/SceneTesting.h"
 
 namespace haptiv {

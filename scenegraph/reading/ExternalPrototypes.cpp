@@ -1,4 +1,4 @@
-#include "scenegraph/reading/coin/ExternalPrototypes.h"
+#include "scenegraph/reading/ExternalPrototypes.h"
 
 #include <Inventor/SoDB.h>
 #include <Inventor/SoInput.h>

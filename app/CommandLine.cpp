@@ -1,4 +1,4 @@
-#include "app/commands/CommandLine.h"
+#include "app/CommandLine.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>

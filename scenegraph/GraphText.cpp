@@ -1,4 +1,4 @@
-#include "scenegraph/writing/GraphText.h"
+#include "scenegraph/GraphText.h"
 
 #include <Inventor/SoOutput.h>
 #include <Inventor/actions/SoWriteAction.h>
@@ -14,7 +14,7 @@
 #include <new>
 #include <vector>
 
-#include "scenegraph/reading/graph/GraphWalk.h"
+#include "scenegraph/GraphWalk.h"
 
 namespace haptiv {
 namespace {

@@ -1,17 +1,17 @@
-#include "scenegraph/MakeSolid.h"
+#include "scenegraph/solid/MakeSolid.h"
 
 #include <Inventor/SbBox3f.h>
 
 #include <algorithm>
 
 #include "device/kinematics/ArmKinematics.h"
-#include "scenegraph/SolidModel.h"
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/ToEigen.h"
 #include "scenegraph/judging/ContactDynamics.h"
 #include "scenegraph/nodes/SoHapticDevice.h"
 #include "scenegraph/nodes/SoHapticSurface.h"
 #include "scenegraph/nodes/SoHapticTool.h"
-#include "scenegraph/reading/graph/GraphWalk.h"
+#include "scenegraph/solid/SolidModel.h"
 
 namespace haptiv {
 namespace {

@@ -1,4 +1,4 @@
-#include "scenegraph/SolidModel.h"
+#include "scenegraph/solid/SolidModel.h"
 
 #include <Inventor/SbViewportRegion.h>
 #include <Inventor/actions/SoGetBoundingBoxAction.h>
@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/NumberText.h"
-#include "scenegraph/reading/graph/GraphWalk.h"
 
 namespace haptiv {
 namespace {

@@ -1,4 +1,4 @@
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/SceneFile.h"
 
 #include <Inventor/SoDB.h>
 #include <Inventor/SoInteraction.h>

@@ -1,18 +1,8 @@
-#include "scenegraph/SceneCompiler.h"
-
-#include <Inventor/actions/SoGetPrimitiveCountAction.h>
-
-#include <algorithm>
+#include "scenegraph/compiling/SceneCompiler.h"
 
 #include "scenegraph/compiling/SceneCollector.h"
 
 namespace haptiv {
-
-std::size_t drawnTriangles(SoNode* root) {
-  SoGetPrimitiveCountAction count;
-  count.apply(root);
-  return static_cast<std::size_t>(std::max(0, count.getTriangleCount()));
-}
 
 CompiledScene SceneCompiler::compile(SoNode* root, const std::unordered_map<const SoNode*, int>& lineOf,
                                      const std::string& file) {

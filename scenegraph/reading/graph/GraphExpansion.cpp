@@ -1,20 +1,17 @@
-#include "scenegraph/reading/graph/GraphWalk.h"
+#include "scenegraph/reading/graph/GraphExpansion.h"
 
 #include <Inventor/VRMLnodes/SoVRMLExtrusion.h>
-#include <Inventor/VRMLnodes/SoVRMLScript.h>
-#include <Inventor/fields/SoMFNode.h>
 #include <Inventor/fields/SoMFString.h>
 #include <Inventor/fields/SoMField.h>
-#include <Inventor/fields/SoSFNode.h>
 #include <Inventor/lists/SoFieldList.h>
-#include <Inventor/misc/SoChildList.h>
 #include <Inventor/nodes/SoArray.h>
-#include <Inventor/nodes/SoGroup.h>
 #include <Inventor/nodes/SoMultipleCopy.h>
 
 #include <algorithm>
 #include <unordered_map>
-#include <unordered_set>
+#include <vector>
+
+#include "scenegraph/GraphWalk.h"
 
 namespace haptiv {
 namespace {
@@ -23,33 +20,6 @@ constexpr double kMaxCost = 5e7;     // about a million triangles a second and s
 constexpr double kNodeCost = 16;     // a visited node costs about as much as so many visited values
 constexpr double kQuadCost = 32;     // two triangles, and their normals, which are made from all around
 constexpr int kDeepestGraph = 1000;  // actions recurse, and USE makes a graph deeper than its text
-
-std::vector<SoNode*> nodesInFields(const SoNode* node) {
-  std::vector<SoNode*> nodes;
-  SoFieldList fields;
-  const int count = node->getFields(fields);
-  for (int i = 0; i < count; ++i) {
-    if (const auto* one = dynamic_cast<const SoSFNode*>(fields[i])) nodes.push_back(one->getValue());
-    if (const auto* many = dynamic_cast<const SoMFNode*>(fields[i])) {
-      for (int k = 0; k < many->getNum(); ++k) nodes.push_back((*many)[k]);
-    }
-  }
-  std::erase(nodes, nullptr);
-  return nodes;
-}
-
-std::vector<SoNode*> listed(const SoChildList& list) {
-  std::vector<SoNode*> nodes;
-  for (int i = 0; i < list.getLength(); ++i) nodes.push_back(list[i]);
-  return nodes;
-}
-
-/// What actions visit: hidden children too.
-std::vector<SoNode*> traversedChildren(const SoNode* node) {
-  if (node->isOfType(SoVRMLScript::getClassTypeId())) return {};  // its fields only refer to nodes
-  const SoChildList* children = node->getChildren();
-  return children && children->getLength() > 0 ? listed(*children) : nodesInFields(node);
-}
 
 /// A letter may be drawn with some dozens of triangles.
 double letterCost(const SoMFString& strings) {
@@ -94,26 +64,6 @@ struct Visit {
 };
 
 }  // namespace
-
-std::vector<SoNode*> writtenChildren(const SoNode* node) {
-  if (!node->isOfType(SoGroup::getClassTypeId())) return nodesInFields(node);
-  return listed(*node->getChildren());
-}
-
-std::vector<SoNode*> writtenNodes(SoNode* root) {
-  std::vector<SoNode*> order;
-  std::unordered_set<const SoNode*> seen;
-  std::vector<SoNode*> waiting = {root};
-  while (!waiting.empty()) {
-    SoNode* node = waiting.back();
-    waiting.pop_back();
-    if (!seen.insert(node).second) continue;
-    order.push_back(node);
-    const auto children = writtenChildren(node);
-    waiting.insert(waiting.end(), children.rbegin(), children.rend());
-  }
-  return order;
-}
 
 GraphFault expansionFault(SoNode* root) {
   std::unordered_map<const SoNode*, Extent> extents;

@@ -1,4 +1,4 @@
-#include "scenegraph/SceneCompiler.h"
+#include "scenegraph/compiling/SceneCompiler.h"
 
 #include <Inventor/SbMatrix.h>
 #include <Inventor/nodes/SoCube.h>
@@ -7,6 +7,7 @@
 #include <Inventor/nodes/SoTransform.h>
 #include <gmock/gmock.h>
 
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/nodes/SoHapticSurface.h"
 #include "tests/scenegraph/SceneTesting.h"
 
