@@ -5,8 +5,8 @@
 #include <numbers>
 #include <span>
 
+#include "device/control/ResolutionNames.h"
 #include "device/kinematics/Vishard10.h"
-#include "device/redundancy/ResolutionNames.h"
 
 namespace haptiv {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "haptics/scene/HapticScene.h"
 #include "scenegraph/NodeRef.h"
 

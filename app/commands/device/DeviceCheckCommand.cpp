@@ -14,7 +14,7 @@
 #include "app/devicecheck/SpecificationTable.h"
 #include "app/figures/DrawFigure.h"
 #include "app/figures/OffscreenQt.h"
-#include "device/redundancy/ResolutionNames.h"
+#include "device/control/ResolutionNames.h"
 
 namespace haptiv {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "haptics/scene/HapticScene.h"
 #include "scenegraph/compiling/SceneCompiler.h"
 #include "scenegraph/reading/SceneFile.h"

@@ -10,7 +10,7 @@
 #include "app/session/choices/SceneControl.h"
 #include "app/session/choices/SceneResolution.h"
 #include "app/session/log/reading/SessionLog.h"
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 
 namespace haptiv {
 namespace {

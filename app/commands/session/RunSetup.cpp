@@ -13,7 +13,7 @@
 #include "app/session/hands/HandFile.h"
 #include "app/session/recording/FlightRecorder.h"
 #include "device/control/ControlNames.h"
-#include "device/redundancy/ResolutionNames.h"
+#include "device/control/ResolutionNames.h"
 
 namespace haptiv {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "scenegraph/compiling/SceneCompiler.h"
 #include "scenegraph/reading/SceneFile.h"
 

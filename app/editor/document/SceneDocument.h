@@ -6,7 +6,7 @@
 #include <QUndoStack>
 #include <memory>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "scenegraph/compiling/SceneCompiler.h"
 #include "scenegraph/reading/SceneFile.h"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "device/redundancy/ResolutionChoice.h"
+#include "device/control/ResolutionChoice.h"
 #include "device/types.h"
 
 namespace haptiv {

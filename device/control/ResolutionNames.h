@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "device/redundancy/ResolutionChoice.h"
+#include "device/control/ResolutionChoice.h"
 
 namespace haptiv {
 

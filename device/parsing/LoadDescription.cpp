@@ -1,19 +1,13 @@
-#include "device/DeviceDescription.h"
-
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <limits>
-#include <numbers>
 #include <stdexcept>
 
-#include "device/Encoder.h"
+#include "device/described/DeviceDescription.h"
 #include "device/descriptions/BuiltInDescriptions.h"
 
 namespace haptiv {
-
 namespace {
 
 std::string builtInNames() {
@@ -49,57 +43,7 @@ void requireWithinFolderOf(const std::string& scene, const std::string& path) {
                              "; copy it there, or use a built-in name: " + builtInNames());
 }
 
-Vector6 perAxis(double force, double torque) {
-  Vector6 values;
-  values << Vector3::Constant(force), Vector3::Constant(torque);
-  return values;
-}
-
 }  // namespace
-
-JointVector JointDrives::countsPerRadian() const {
-  return gearRatio.cwiseProduct(countsPerTurn) / (2 * std::numbers::pi);
-}
-
-JointVector DeviceDescription::jointAngles(const DeviceReading& reading) const noexcept {
-  const Eigen::Map<const Eigen::Matrix<std::int32_t, kJointCount, 1>> counts(reading.encoderCounts.data());
-  return (counts.cast<double>() - encoders.zero).cwiseQuotient(drives.countsPerRadian());
-}
-
-PoseCounts DeviceDescription::countsAt(const JointVector& angles) const noexcept {
-  const JointVector perRadian = drives.countsPerRadian();
-  PoseCounts counts{};
-  for (int i = 0; i < kJointCount; ++i)
-    counts[static_cast<std::size_t>(i)] = Encoder(perRadian[i], encoders.zero[i]).count(angles[i]);
-  return counts;
-}
-
-Vector6 HandleSensor::raw(const std::array<std::int16_t, 6>& counts) const noexcept {
-  const Eigen::Map<const Eigen::Matrix<std::int16_t, 6, 1>> values(counts.data());
-  return resolution().cwiseProduct(values.cast<double>());
-}
-
-Vector6 HandleSensor::resolution() const noexcept {
-  return perAxis(forceResolution, torqueResolution);
-}
-
-Vector6 HandleSensor::range() const noexcept {
-  return perAxis(forceRange, torqueRange);
-}
-
-std::array<std::int16_t, 6> HandleSensor::lastCounts() const noexcept {
-  constexpr double kMost = std::numeric_limits<std::int16_t>::max();
-  std::array<std::int16_t, 6> last{};
-  for (int i = 0; i < 6; ++i)
-    last[static_cast<std::size_t>(i)] =
-        static_cast<std::int16_t>(std::min(std::floor(range()[i] / resolution()[i]), kMost));
-  return last;
-}
-
-Wrench DeviceDescription::handleWrench(const DeviceReading& reading) const noexcept {
-  const Vector6 wrench = sensor.matrix * (sensor.raw(reading.sensorCounts) - sensor.bias);
-  return {wrench.head<3>(), wrench.tail<3>()};
-}
 
 DeviceDescription loadDeviceDescription(const std::string& nameOrPath, const std::string& namedIn) {
   for (const auto& builtIn : builtInDescriptions()) {

@@ -1,4 +1,4 @@
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "device/redundancy/ResolutionNames.h"
+#include "device/control/ResolutionNames.h"
 
 #include "device/NamedOption.h"
 
