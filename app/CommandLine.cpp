@@ -16,7 +16,7 @@
 #include "app/commands/study/BenchCommand.h"
 #include "app/commands/study/ExperimentCommand.h"
 #include "app/commands/study/KinematicsCommand.h"
-#include "app/version.h"
+#include "app/session/version.h"
 
 namespace haptiv {
 namespace {
