@@ -33,6 +33,8 @@ Diagnostic parse(const SoError* error, const std::string& file) {
     text += ": correct its spelling, or say its fields first, as in fields [ SFFloat size ], and it is kept";
   if (text.find("non-valid floating point number") != std::string::npos)
     text += ": write a number of no more than 3.4e38";
+  if (text == "Error reading EXTERNPROTO definition")
+    text += ": no file that it names is there and holds it: copy one into the scene's folder";
   diagnostic.message = text;
   return diagnostic;
 }
@@ -60,9 +62,13 @@ Diagnostics CoinMessages::ofReadScene() const {
     if (diagnostic.message.starts_with("Erroneous character(s) after end")) continue;  // said once a process: the scan
     const bool isReplaced = diagnostic.message.find("non-valid floating point number") != std::string::npos;
     if (!isReplaced) diagnostic.severity = Diagnostic::Severity::warning;
-    if (diagnostic.message.find("No script language") != std::string::npos)
-      diagnostic.message = "its Script nodes are not run: what they would do is missing";
-    if (diagnostic.message.find("SoVRMLSound") != std::string::npos) diagnostic.message = "its sounds are not played";
+    if (diagnostic.message.find("No script language") != std::string::npos) {
+      diagnostic.node = "Script";
+      diagnostic.message = "is not run: what it would do is missing";
+    } else if (diagnostic.message.find("SoVRMLSound") != std::string::npos) {
+      diagnostic.node = "Sound";
+      diagnostic.message = "is not played";
+    }
     told.push_back(std::move(diagnostic));
   }
   return told;

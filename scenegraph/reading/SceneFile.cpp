@@ -4,6 +4,7 @@
 #include <Inventor/SoInteraction.h>
 
 #include <exception>
+#include <utility>
 
 #include "scenegraph/nodes/HapticNodes.h"
 #include "scenegraph/reading/SceneReader.h"
@@ -11,6 +12,8 @@
 #include "scenegraph/reading/coin/SceneCameras.h"
 #include "scenegraph/reading/files/SceneBytes.h"
 #include "scenegraph/reading/files/SilentNodes.h"
+#include "scenegraph/reading/graph/NodeLines.h"
+#include "scenegraph/reading/text/SceneScan.h"
 
 namespace haptiv {
 namespace {
@@ -48,6 +51,20 @@ void locate(Diagnostic& diagnostic, const SceneFile& scene) {
   if (line != scene.lineOf.end()) diagnostic.line = line->second;
 }
 
+void moveTo(const fs::path& path, const std::string& text, SceneFile& scene) {
+  const std::string before = std::exchange(scene.path, path.string());
+  auto lines = findLines(scanSceneText(text, scene.path), scene.root.get(), text.starts_with("#VRML V2"));
+  for (const auto& [node, file] : scene.fileOf) {
+    if (const auto line = scene.lineOf.find(node); line != scene.lineOf.end()) lines[node] = line->second;
+  }
+  scene.lineOf = std::move(lines);
+  for (Diagnostic& diagnostic : scene.diagnostics) {
+    if (diagnostic.file != before) continue;
+    diagnostic.line = 0;
+    locate(diagnostic, scene);
+  }
+}
+
 void initSceneGraph() {
   forbidNodeLibraries();
   SoDB::init();
@@ -66,6 +83,11 @@ SceneFile readScene(const fs::path& path, const DecodePicture& decode) {
 
 SceneFile readSceneText(std::string_view text, const std::string& name) {
   return orRefused(name, [&] { return readContents(unpackScene(std::string(text)), name); });
+}
+
+void judgeAgain(SceneFile& scene) {
+  scene.diagnostics.clear();
+  SceneReader::judge(scene);
 }
 
 }  // namespace haptiv

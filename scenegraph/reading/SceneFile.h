@@ -25,6 +25,8 @@ struct SceneFile {
 
 /// Says on which line of which file a diagnostic's source stands.
 void locate(Diagnostic& diagnostic, const SceneFile& scene);
+/// The scene now stands in this file as this text, which was written of its graph: finds the lines anew.
+void moveTo(const std::filesystem::path& path, const std::string& text, SceneFile& scene);
 
 /// Makes Coin and the haptic nodes ready; call once, before anything else here, on the GUI thread, after SoQt::init
 /// where there is a window.
@@ -35,5 +37,9 @@ void initSceneGraph();
 SceneFile readScene(const std::filesystem::path& path, const DecodePicture& decode = {});
 /// The same from memory. `name` stands for the path in diagnostics.
 SceneFile readSceneText(std::string_view text, const std::string& name);
+
+/// Judges a graph whose fields have been changed as readScene judges what it has read: indices, sizes. The diagnostics
+/// become those of that.
+void judgeAgain(SceneFile& scene);
 
 }  // namespace haptiv

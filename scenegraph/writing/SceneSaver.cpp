@@ -96,8 +96,10 @@ std::string writtenOut(SoSeparator* root, const fs::path& path) {
 
 }  // namespace
 
-void saveScene(SoSeparator* root, const fs::path& path) {
-  saveText(hasPrototypes(root) ? writtenOut(root, path) : writeSceneText(root), path);
+std::string saveScene(SoSeparator* root, const fs::path& path) {
+  std::string text = findPrototype(root) ? writtenOut(root, path) : writeSceneText(root);
+  saveText(text, path);
+  return text;
 }
 
 void saveText(std::string_view text, const fs::path& path) {

@@ -47,17 +47,19 @@ void checkNumbers(const SoNode* node) {
 
 }  // namespace
 
-bool hasPrototypes(SoNode* root) {
-  return std::ranges::any_of(writtenNodes(root), [](SoNode* node) {
+const SoNode* findPrototype(SoNode* root) {
+  const std::vector<SoNode*> nodes = writtenNodes(root);
+  const auto found = std::ranges::find_if(nodes, [](SoNode* node) {
     return node->isOfType(SoProto::getClassTypeId()) || SoProtoInstance::findProtoInstance(node);
   });
+  return found == nodes.end() ? nullptr : *found;
 }
 
 std::string writeSceneText(SoNode* root) {
   const CoinMessages silence{std::string()};  // of prototypes within each other Coin counts wrongly, and writes well
   for (const SoNode* node : writtenNodes(root)) checkNumbers(node);
   static constexpr int kDigits = 8;
-  return graphText(root, kDigits, hasPrototypes(root) ? "#VRML V2.0 utf8" : "#Inventor V2.1 ascii");
+  return graphText(root, kDigits, findPrototype(root) ? "#VRML V2.0 utf8" : "#Inventor V2.1 ascii");
 }
 
 }  // namespace haptiv

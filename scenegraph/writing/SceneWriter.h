@@ -6,9 +6,9 @@ class SoNode;
 
 namespace haptiv {
 
-/// Whether the graph holds PROTOs or what they made. Its text can be read again, but what is written after that cannot:
-/// saveScene writes out what they made.
-bool hasPrototypes(SoNode* root);
+/// The first PROTO of the graph, or of what they made; null: there is none. The text of such a graph can be read again,
+/// but what is written after that cannot: saveScene writes out what they made.
+const SoNode* findPrototype(SoNode* root);
 
 /// The graph as Inventor text (VRML97, where it has prototypes), readable by readSceneText. Throws std::runtime_error
 /// where a value cannot be written and read back (NaN, infinity), naming node and field.

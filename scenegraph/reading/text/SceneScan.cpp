@@ -19,7 +19,7 @@ using Kind = SceneToken::Kind;
 
 constexpr std::size_t kDeepestText = 1000;   // Coin reads recursively; its stack ends near 11,600
 constexpr std::size_t kMaxDiagnostics = 50;  // a broken file need not be quoted in full
-constexpr std::size_t kNoNode = ~std::size_t{0};
+constexpr std::size_t kNoNode = TextNode::kNone;
 
 /// One pass over the tokens; `levels_` holds the brackets that are open.
 class Scanner {
@@ -32,7 +32,7 @@ class Scanner {
       const SceneToken token = tokens_.next();
       if (token.kind == Kind::end) break;
       if (token.kind == Kind::bad) {
-        fail(token.line, {}, std::string(token.text));
+        fail(token.line, keyword(), std::string(token.text));
         return std::move(scan_);
       }
       if (token.kind == Kind::unclear) {  // the rest is for the rehearsal
@@ -59,6 +59,8 @@ class Scanner {
     int line = 0;
     std::size_t node = kNoNode;  ///< index into scan_.nodes
     bool isBody = false;         ///< of a prototype
+    bool isApart = false;        ///< what stands in it is no part of the scene where it stands
+    std::string_view field;      ///< the word before a list
   };
 
   void take(const SceneToken& token) {
@@ -85,17 +87,28 @@ class Scanner {
   void takeWord(const SceneToken& token) {
     const std::string_view word = token.text;
     if (!names_.expectsWord() && prototypes_.takesWord(word)) {
-      scan_.isPlain = false;
-      word_.reset();
+      takePrototype(token);
     } else if (names_.takes(word)) {
-      if (names_.used()) checkUse(token, *names_.used());
+      if (names_.isUse()) addUse(token);
       if (word == "ROUTE") scan_.isPlain = false;
     } else {
       takePlainWord(token);
     }
   }
 
+  /// PROTO or EXTERNPROTO, and then its name.
+  void takePrototype(const SceneToken& token) {
+    scan_.isPlain = false;
+    word_.reset();
+    if (prototypes_.isNamed()) {
+      scan_.nodes.back().name = token.text;
+    } else {
+      scan_.nodes.push_back({std::string(token.text), {}, token.line, token.line, enclosing(), {}, isApart()});
+    }
+  }
+
   void takePlainWord(const SceneToken& token) {
+    before_ = word_ ? word_->text : std::string_view();
     takeValue(token);
     word_ = token;
     if (image_.isTooLarge(token.text))
@@ -113,11 +126,15 @@ class Scanner {
   }
 
   void open(const SceneToken& token) {
-    Level level{token.kind, token.line, kNoNode, false};
+    Level level{token.kind, token.line, kNoNode, false, prototypes_.isOpen() || isApart(), {}};
     if (token.kind == Kind::open) {
       level.isBody = prototypes_.opensBody(levels_.size());
-      if (word_ && !level.isBody) level.node = addNode(*word_);
+      if (word_ && !level.isBody) {
+        level.node = addNode(*word_);
+        level.isApart = scan_.nodes[level.node].isApart;
+      }
     } else {
+      if (word_) level.field = word_->text;
       prototypes_.openList(levels_.size());
       declaring_ = word_ && (word_->text == "fields" || word_->text == "inputs") && !keyword().empty();
       declared_.clear();
@@ -128,7 +145,10 @@ class Scanner {
 
   std::size_t addNode(const SceneToken& keyword) {
     const std::size_t index = scan_.nodes.size();
-    scan_.nodes.push_back({std::string(keyword.text), names_.begin(index), keyword.line});
+    const std::string_view field = fieldBefore(before_);
+    const bool apart = isApart() || field.ends_with('=');
+    scan_.nodes.push_back(
+        {std::string(keyword.text), names_.begin(index), keyword.line, keyword.line, enclosing(), field, apart});
     if (!isPlainNode(keyword.text) || names_.areVeryMany()) scan_.isPlain = false;
     const std::string fault = prototypes_.add(keyword.text);
     if (!fault.empty()) fail(keyword.line, std::string(keyword.text), fault);
@@ -145,6 +165,7 @@ class Scanner {
                std::to_string(levels_.back().line) + ": check the brackets between them");
     }
     if (levels_.back().isBody) prototypes_.closeBody();
+    if (levels_.back().node != kNoNode) scan_.nodes[levels_.back().node].lastLine = token.line;
     levels_.pop_back();
     if (declaring_) checkDeclared(token.line);
     declaring_ = false;
@@ -153,6 +174,12 @@ class Scanner {
   void checkDeclared(int line) {
     const std::string fault = declaredFieldsFault(keyword(), vrml2_, declared_);
     if (!fault.empty()) fail(line, keyword(), fault);
+  }
+
+  void addUse(const SceneToken& token) {
+    const std::string_view field = fieldBefore(word_ ? word_->text : std::string_view());
+    scan_.nodes.push_back({{}, {}, token.line, token.line, enclosing(), field, isApart() || field.ends_with('=')});
+    if (names_.used()) checkUse(token, *names_.used());
   }
 
   void checkUse(const SceneToken& token, std::size_t node) {
@@ -193,10 +220,21 @@ class Scanner {
     }
   }
 
-  /// Of the node that the scanner is in; empty at the top.
-  std::string keyword() const {
+  /// The node that the scanner is in.
+  std::size_t enclosing() const {
     const auto level = std::find_if(levels_.rbegin(), levels_.rend(), [](const Level& l) { return l.node != kNoNode; });
-    return level == levels_.rend() ? std::string() : scan_.nodes[level->node].keyword;
+    return level == levels_.rend() ? kNoNode : level->node;
+  }
+
+  /// Its keyword; empty at the top.
+  std::string keyword() const { return enclosing() == kNoNode ? std::string() : scan_.nodes[enclosing()].keyword; }
+
+  bool isApart() const { return !levels_.empty() && levels_.back().isApart; }
+
+  /// Which field a node stands in, by the word before it: in a list, that of the list.
+  std::string_view fieldBefore(std::string_view word) const {
+    const bool isInList = !levels_.empty() && levels_.back().kind == Kind::openList;
+    return isInList ? levels_.back().field : word;
   }
 
   void fail(int line, const std::string& node, const std::string& message) {
@@ -209,6 +247,7 @@ class Scanner {
   SceneScan scan_;
   std::vector<Level> levels_;
   std::optional<SceneToken> word_;  ///< the word just before, which may turn out to be a keyword
+  std::string_view before_;         ///< and the one before that
   NodeNames names_;
   bool declaring_ = false;  ///< in `fields [ ... ]`
   std::vector<std::string> declared_;
