@@ -5,15 +5,16 @@
 
 #include <algorithm>
 
+#include "scenegraph/CoinMessages.h"
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/Keyword.h"
 #include "scenegraph/isolation/Isolated.h"
-#include "scenegraph/reading/coin/CoinMessages.h"
-#include "scenegraph/reading/coin/ExternalPrototypes.h"
+#include "scenegraph/reading/ExternalPrototypes.h"
 #include "scenegraph/reading/coin/Rehearsal.h"
 #include "scenegraph/reading/files/NamedFiles.h"
 #include "scenegraph/reading/files/SceneBytes.h"
 #include "scenegraph/reading/files/ScenePath.h"
-#include "scenegraph/reading/graph/GraphWalk.h"
+#include "scenegraph/reading/graph/GraphExpansion.h"
 #include "scenegraph/reading/graph/NodeLines.h"
 #include "scenegraph/reading/graph/NurbsRules.h"
 #include "scenegraph/reading/graph/NurbsSwitch.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/SceneFile.h"
 #include "scenegraph/reading/files/PictureLoader.h"
 
 namespace haptiv {

@@ -1,3 +1,5 @@
+#include "scenegraph/writing/SceneSaver.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -7,9 +9,10 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "scenegraph/SceneCompiler.h"
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/isolation/Isolated.h"
+#include "scenegraph/reading/SceneFile.h"
+#include "scenegraph/writing/SceneWriter.h"
 #include "scenegraph/writing/WriteOutPrototypes.h"
 
 namespace haptiv {

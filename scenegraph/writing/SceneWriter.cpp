@@ -1,3 +1,5 @@
+#include "scenegraph/writing/SceneWriter.h"
+
 #include <Inventor/fields/SoField.h>
 #include <Inventor/lists/SoFieldList.h>
 #include <Inventor/misc/SoProto.h>
@@ -8,11 +10,10 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "scenegraph/CoinMessages.h"
+#include "scenegraph/GraphText.h"
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/Keyword.h"
-#include "scenegraph/SceneFile.h"
-#include "scenegraph/reading/coin/CoinMessages.h"
-#include "scenegraph/reading/graph/GraphWalk.h"
-#include "scenegraph/writing/GraphText.h"
 
 namespace haptiv {
 namespace {

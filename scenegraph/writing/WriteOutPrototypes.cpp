@@ -7,7 +7,7 @@
 #include <Inventor/misc/SoProtoInstance.h>
 #include <Inventor/nodes/SoSeparator.h>
 
-#include "scenegraph/reading/graph/GraphWalk.h"
+#include "scenegraph/GraphWalk.h"
 
 namespace haptiv {
 namespace {

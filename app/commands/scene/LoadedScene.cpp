@@ -1,20 +1,17 @@
 #include "app/commands/scene/LoadedScene.h"
 
-#include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <exception>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 
-#include "app/commands/ExitCode.h"
+#include "app/commands/NamedFile.h"
 #include "app/view/picture/PictureDecoder.h"
 #include "scenegraph/Keyword.h"
-#include "scenegraph/MakeSolid.h"
 #include "scenegraph/NumberText.h"
-#include "scenegraph/SolidModel.h"
 #include "scenegraph/judging/SceneJudge.h"
+#include "scenegraph/solid/MakeSolid.h"
+#include "scenegraph/solid/SolidModel.h"
+#include "scenegraph/writing/SceneWriter.h"
 
 namespace haptiv {
 namespace {
@@ -103,16 +100,6 @@ LoadedScene loadScene(const std::string& path, const LoadOptions& options) {
 
 void tell(const Diagnostics& diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics) std::cerr << toText(diagnostic) << "\n";
-}
-
-void requireReadable(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw CommandFailure(kCouldNot, path + ": this is a folder; name a file in it");
-  if (std::filesystem::is_fifo(path, ignored))  // opening one waits for who writes to it
-    throw CommandFailure(kCouldNot, path + ": this is a pipe; name a file");
-  if (!std::ifstream(path))
-    throw CommandFailure(kCouldNot, path + ": cannot be read: " + std::strerror(errno) + "; check the path");
 }
 
 }  // namespace haptiv

@@ -3,9 +3,9 @@
 #include <string>
 #include <utility>
 
-#include "device/DeviceDescription.h"
-#include "scenegraph/SceneCompiler.h"
-#include "scenegraph/SceneFile.h"
+#include "device/described/DeviceDescription.h"
+#include "scenegraph/compiling/SceneCompiler.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 

@@ -10,6 +10,8 @@
 #include "app/editor/document/LiveCompilation.h"
 #include "app/editor/document/Selection.h"
 #include "app/view/picture/PictureDecoder.h"
+#include "scenegraph/writing/SceneSaver.h"
+#include "scenegraph/writing/SceneWriter.h"
 
 namespace haptiv {
 namespace {

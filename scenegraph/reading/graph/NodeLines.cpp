@@ -6,8 +6,8 @@
 #include <Inventor/nodes/SoGroup.h>
 #include <Inventor/nodes/SoSeparator.h>
 
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/Keyword.h"
-#include "scenegraph/reading/graph/GraphWalk.h"
 
 namespace haptiv {
 namespace {

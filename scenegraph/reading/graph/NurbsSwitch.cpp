@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/NodeRef.h"
-#include "scenegraph/reading/graph/GraphWalk.h"
 #include "scenegraph/reading/graph/NurbsRules.h"
 
 namespace haptiv {

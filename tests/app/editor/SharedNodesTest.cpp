@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "scenegraph/SceneCompiler.h"
+#include "scenegraph/compiling/SceneCompiler.h"
 #include "tests/app/editor/EditedScene.h"
 
 namespace haptiv {

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <map>
 
+#include "scenegraph/writing/SceneWriter.h"
 #include "tests/scenegraph/SceneTesting.h"
 
 namespace haptiv {

@@ -1,8 +1,9 @@
 #include <Inventor/nodes/SoNode.h>
 #include <gmock/gmock.h>
 
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/Keyword.h"
-#include "scenegraph/reading/graph/GraphWalk.h"
+#include "scenegraph/writing/SceneWriter.h"
 #include "tests/scenegraph/SceneTesting.h"
 
 namespace haptiv {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scenegraph/writing/SceneSaver.h"
+#include "scenegraph/writing/SceneWriter.h"
 #include "tests/scenegraph/SceneTesting.h"
 
 namespace haptiv {
