@@ -33,9 +33,9 @@ class ProgressLines {
   std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
 };
 
-void note(SceneFile& file, Diagnostic::Severity severity, const std::string& message, const SoNode* node = nullptr) {
-  Diagnostic diagnostic{severity, file.path, 0, node ? describe(node) : std::string(), message, node};
-  if (node) locate(diagnostic, file);
+void note(SceneFile& file, Diagnostic::Severity severity, const std::string& message, const SoNode* node) {
+  Diagnostic diagnostic{severity, {}, 0, describe(node), message, node};
+  locate(diagnostic, file);
   file.diagnostics.push_back(std::move(diagnostic));
 }
 
@@ -56,9 +56,12 @@ void makeSolid(SceneFile& file) {
   const std::vector<NodeRef<>> nodes =
       solidNodes(file.root.get(), loadDeviceDescription(DevicePlacement().description));
   if (nodes.empty()) {
+    SoNode* root = file.root.get();
     const std::string fault = solidFault(modelBounds(file.root.get()));
-    if (!fault.empty()) return note(file, Diagnostic::Severity::error, "--solid makes nothing of the scene: " + fault);
-    return note(file, Diagnostic::Severity::warning, "--solid has nothing to add: the scene says itself what is felt");
+    if (!fault.empty())
+      return note(file, Diagnostic::Severity::error, "--solid makes nothing of the scene: " + fault, root);
+    return note(file, Diagnostic::Severity::warning, "--solid has nothing to add: the scene says itself what is felt",
+                root);
   }
   mendSizes(file);
   for (std::size_t i = 0; i < nodes.size(); ++i) file.root->insertChild(nodes[i].get(), static_cast<int>(i));
