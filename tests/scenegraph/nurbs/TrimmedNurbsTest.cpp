@@ -2,11 +2,14 @@
 #include <Inventor/nodes/SoSwitch.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scenegraph/isolation/Isolated.h"
 #include "scenegraph/solid/MakeSolid.h"
 #include "scenegraph/solid/SolidModel.h"
+#include "scenegraph/writing/SceneSaver.h"
+#include "scenegraph/writing/SceneWriter.h"
 #include "tests/scenegraph/SceneTesting.h"
 
 namespace haptiv {
@@ -111,6 +114,19 @@ TEST(TrimmedNurbs, AreSavedAsTheyWereWritten) {
   const SceneFile again = readSceneText(text, "again.iv");
   ASSERT_TRUE(again.root) << textOf(again.diagnostics);
   EXPECT_EQ(writeSceneText(again.root.get()), text);
+  EXPECT_EQ(trianglesOf(again), trianglesOf(scene));
+}
+
+TEST(TrimmedNurbs, AreSavedWhereAPrototypeMakesThem) {
+  const SceneFile scene = readSceneText("#VRML V2.0 utf8\nPROTO P [ ] { Group { children [ " + kSquareMetre +
+                                            kWithHole + kSurface + "] } }\nP { } P { }\n",
+                                        "test.wrl");
+  ASSERT_TRUE(scene.root) << textOf(scene.diagnostics);
+  EXPECT_GT(trianglesOf(scene), 0);
+  const testing::ScratchFolder folder;
+  saveScene(scene.root.get(), folder.path() / "saved.iv");
+  const SceneFile again = readScene(folder.path() / "saved.iv");
+  ASSERT_TRUE(again.root) << textOf(again.diagnostics);
   EXPECT_EQ(trianglesOf(again), trianglesOf(scene));
 }
 
