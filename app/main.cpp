@@ -1,4 +1,4 @@
-#include "app/commands/CommandLine.h"
+#include "app/CommandLine.h"
 
 int main(int argc, char** argv) {
   return haptiv::runCommandLine(argc, argv);

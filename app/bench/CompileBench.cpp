@@ -8,9 +8,9 @@
 #include "app/bench/measuring/MemoryPeak.h"
 #include "app/bench/scenes/SceneText.h"
 #include "app/bench/scenes/WallFloor.h"
-#include "scenegraph/SceneCompiler.h"
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/compiling/SceneCompiler.h"
 #include "scenegraph/nodes/SoHapticSurface.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 namespace {

@@ -14,9 +14,9 @@
 #include "app/bench/scenes/ArmOnFloor.h"
 #include "app/bench/scenes/SceneText.h"
 #include "app/session/Session.h"
-#include "scenegraph/SceneCompiler.h"
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/compiling/SceneCompiler.h"
 #include "scenegraph/nodes/SoHapticSurface.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/types.h"
 
 namespace haptiv {

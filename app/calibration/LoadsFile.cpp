@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/session/CsvLine.h"
+#include "app/session/csv/CsvLine.h"
 
 namespace haptiv {
 namespace {

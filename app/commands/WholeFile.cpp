@@ -5,8 +5,8 @@
 #include <cstring>
 #include <fstream>
 
-#include "app/commands/ExitCode.h"
 #include "app/commands/HeldSignals.h"
+#include "app/commands/NamedFile.h"
 
 namespace haptiv {
 
@@ -20,7 +20,7 @@ void writeWholly(const std::string& path, std::string_view bytes) {
   if (!file || std::rename(part.c_str(), path.c_str()) != 0) {
     const std::string why = errno ? std::strerror(errno) : "unknown error";
     std::remove(part.c_str());
-    throw CommandFailure(kCouldNot, path + ": cannot be written: " + why);
+    refuseToWrite(path, why);
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include "app/commands/Display.h"
 #include "app/commands/ExitCode.h"
-#include "app/commands/scene/LoadedScene.h"
+#include "app/commands/NamedFile.h"
 #include "app/window/Application.h"
 
 namespace haptiv {

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/kinematics/ArmKinematics.h"
 #include "device/redundancy/RedundancyResolution.h"
 

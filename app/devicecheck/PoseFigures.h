@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/devicecheck/Specification.h"
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/kinematics/ArmPose.h"
 
 namespace haptiv {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/devicecheck/PoseFigures.h"
-#include "device/redundancy/ResolutionChoice.h"
+#include "device/control/ResolutionChoice.h"
 
 namespace haptiv {
 

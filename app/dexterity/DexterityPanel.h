@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/dexterity/EllipsoidBoxes.h"
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 
 namespace haptiv {
 

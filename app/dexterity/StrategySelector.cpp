@@ -4,7 +4,7 @@
 #include <QStandardItemModel>
 
 #include "app/dexterity/DexterityColours.h"
-#include "device/redundancy/ResolutionNames.h"
+#include "device/control/ResolutionNames.h"
 
 namespace haptiv {
 namespace {

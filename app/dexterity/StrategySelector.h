@@ -3,7 +3,7 @@
 #include <QComboBox>
 #include <QWidget>
 
-#include "device/redundancy/ResolutionChoice.h"
+#include "device/control/ResolutionChoice.h"
 
 namespace haptiv {
 

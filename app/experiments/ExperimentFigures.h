@@ -5,7 +5,7 @@
 
 #include "app/experiments/RunTable.h"
 #include "app/figures/Figure.h"
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 
 namespace haptiv {
 

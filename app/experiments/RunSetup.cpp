@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <numbers>
 
+#include "device/control/ResolutionNames.h"
 #include "device/kinematics/Vishard10.h"
-#include "device/redundancy/ResolutionNames.h"
 
 namespace haptiv {
 namespace {

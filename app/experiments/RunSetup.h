@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/experiments/CircularPath.h"
-#include "device/DeviceDescription.h"
-#include "device/redundancy/ResolutionChoice.h"
+#include "device/control/ResolutionChoice.h"
+#include "device/described/DeviceDescription.h"
 #include "device/types.h"
 
 namespace haptiv {

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "app/experiments/RunResult.h"
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/redundancy/RedundancyResolution.h"
 
 namespace haptiv {

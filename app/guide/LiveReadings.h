@@ -4,7 +4,7 @@
 #include <array>
 
 #include "app/guide/SignedBar.h"
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 
 class QLabel;
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/guide/WeightBox.h"
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 
 class QLabel;
 class QPushButton;

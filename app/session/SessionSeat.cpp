@@ -6,7 +6,7 @@
 
 #include "app/session/choices/SceneControl.h"
 #include "app/session/choices/SceneResolution.h"
-#include "app/version.h"
+#include "app/session/version.h"
 #include "device/simulated/ScriptedHand.h"
 #include "haptics/scene/DeviceFrames.h"
 #include "haptics/scene/SceneNumbers.h"

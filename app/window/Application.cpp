@@ -7,7 +7,7 @@
 
 #include "app/view/QtEnvironment.h"
 #include "app/window/MainWindow.h"
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 
 namespace haptiv {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/kinematics/ArmKinematics.h"
 
 namespace haptiv {

@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/kinematics/ArmPose.h"
 #include "device/kinematics/DeltaArm.h"
 #include "device/kinematics/SerialChain.h"

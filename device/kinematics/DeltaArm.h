@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "device/described/DeltaGeometry.h"
 #include "device/kinematics/ArmPose.h"
-#include "device/kinematics/DeltaGeometry.h"
 
 namespace haptiv {
 

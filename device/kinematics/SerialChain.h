@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "device/described/ChainGeometry.h"
 #include "device/kinematics/ArmPose.h"
-#include "device/kinematics/ChainGeometry.h"
 
 namespace haptiv {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "device/dynamics/ArmBodies.h"
+#include "device/described/ArmBodies.h"
 #include "device/parsing/TomlValues.h"
 
 namespace haptiv {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 
 namespace haptiv {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "device/kinematics/ChainGeometry.h"
+#include "device/described/ChainGeometry.h"
 #include "device/parsing/TomlValues.h"
 
 namespace haptiv {

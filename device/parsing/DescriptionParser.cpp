@@ -2,7 +2,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/parsing/ArmChecks.h"
 #include "device/parsing/BodiesFormat.h"
 #include "device/parsing/ChainFormat.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "device/control/ControlNames.h"
-#include "device/redundancy/ResolutionNames.h"
+#include "device/control/ResolutionNames.h"
 
 namespace haptiv {
 namespace {

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/parsing/TomlValues.h"
 
 namespace haptiv {

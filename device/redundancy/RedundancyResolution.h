@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "device/DeviceDescription.h"
-#include "device/redundancy/ResolutionNames.h"
+#include "device/control/ResolutionNames.h"
+#include "device/described/DeviceDescription.h"
 #include "device/redundancy/criterion/CriterionPair.h"
 #include "device/types.h"
 

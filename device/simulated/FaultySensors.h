@@ -1,7 +1,7 @@
 #pragma once
 
-#include "device/DeviceDescription.h"
 #include "device/board/BoardSignals.h"
+#include "device/described/DeviceDescription.h"
 #include "device/simulated/InjectedFaults.h"
 
 namespace haptiv {

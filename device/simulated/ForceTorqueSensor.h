@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/simulated/Noise.h"
 #include "device/types.h"
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <memory>
 
-#include "device/DeviceDescription.h"
 #include "device/HapticDevice.h"
 #include "device/Homing.h"
+#include "device/described/DeviceDescription.h"
 #include "device/simulated/Hand.h"
 #include "device/simulated/InjectedFaults.h"
 

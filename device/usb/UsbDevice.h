@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "device/DeviceDescription.h"
 #include "device/HapticDevice.h"
 #include "device/Homing.h"
 #include "device/HostButtons.h"
+#include "device/described/DeviceDescription.h"
 #include "device/realtime/TimeHistogram.h"
 #include "device/usb/host/LinkCounters.h"
 #include "device/usb/protocol/ControlFrames.h"

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "device/control/ControlChoice.h"
-#include "device/redundancy/ResolutionChoice.h"
+#include "device/control/ResolutionChoice.h"
 #include "haptics/bytes/ByteReader.h"
 #include "haptics/bytes/ByteWriter.h"
 

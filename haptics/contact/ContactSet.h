@@ -61,4 +61,9 @@ struct ContactSet {
   const Contact* end() const noexcept { return contact.data() + count; }
 };
 
+/// Of the scene for whose version the contact holds.
+inline const Wall& wallOf(const HapticScene& scene, const Contact& contact) noexcept {
+  return scene.walls[static_cast<std::size_t>(contact.wall)];
+}
+
 }  // namespace haptiv

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "haptics/contact/FreeVelocity.h"
 #include "haptics/contact/Proxy.h"
-#include "haptics/laws/FreeMotion.h"
 
 namespace haptiv {
 namespace {
@@ -29,10 +29,6 @@ struct Cone {
   }
 };
 
-const SurfaceProperties& surfaceOf(const HapticScene& scene, const Contact& contact) noexcept {
-  return scene.walls[static_cast<std::size_t>(contact.wall)].surface;
-}
-
 /// Of the contacts of the tick before, for a proxy that is drawn to `goal`.
 Cone coneAt(const HapticScene& scene, const ContactSet& before, const Vector3& goal) noexcept {
   ProxyPlanes planes;
@@ -42,7 +38,7 @@ Cone coneAt(const HapticScene& scene, const ContactSet& before, const Vector3& g
   for (std::size_t i = 0; i < static_cast<std::size_t>(before.count); ++i) {
     const Contact& contact = before.contact[i];
     const double elastic = contact.depth > 0 ? contact.elasticDepth() / contact.depth : 1;
-    cone.press(surfaceOf(scene, contact), elastic * planes.share[i]);
+    cone.press(wallOf(scene, contact).surface, elastic * planes.share[i]);
   }
   return cone;
 }
@@ -51,7 +47,7 @@ Cone coneAt(const HapticScene& scene, const ContactSet& before, const Vector3& g
 
 Friction holdProxy(const HapticScene& scene, const ContactSet& before, const Vector3& position) noexcept {
   const bool hasFriction = std::any_of(before.begin(), before.end(), [&](const Contact& contact) {
-    return surfaceOf(scene, contact).staticFriction > 0;
+    return wallOf(scene, contact).surface.staticFriction > 0;
   });
   if (!hasFriction) return {};
   Vector3 offset = before.frictionOffset - freeVelocity(position - before.toolPosition, before);
@@ -64,13 +60,13 @@ Friction holdProxy(const HapticScene& scene, const ContactSet& before, const Vec
 
 Vector3 frictionForce(const HapticScene& scene, const Friction& friction, ContactSet& contacts) noexcept {
   Cone cone;
-  for (const Contact& contact : contacts) cone.press(surfaceOf(scene, contact), contact.elasticDepth());
+  for (const Contact& contact : contacts) cone.press(wallOf(scene, contact).surface, contact.elasticDepth());
   const double length = friction.offset.norm();
   const double allowed = std::min(length, cone.reach(friction.sliding));
   if (!(allowed > 0)) return Vector3::Zero();
   const Vector3 force = friction.offset * (cone.stiffness() * allowed / length);
   for (Contact& contact : contacts) {
-    const SurfaceProperties& surface = surfaceOf(scene, contact);
+    const SurfaceProperties& surface = wallOf(scene, contact).surface;
     contact.force += force * (surface.stiffness * contact.elasticDepth() / cone.normalForce);
   }
   return force;

@@ -5,10 +5,6 @@
 namespace haptiv {
 namespace {
 
-double hysteresisOf(const HapticScene& scene, const Contact& contact) noexcept {
-  return scene.walls[static_cast<std::size_t>(contact.wall)].surface.hysteresis;
-}
-
 double depthInWall(const ContactSet& contacts, ShapeId id) noexcept {
   Vector3 sum = Vector3::Zero();
   for (const Contact& contact : contacts) {
@@ -22,7 +18,7 @@ double depthInWall(const ContactSet& contacts, ShapeId id) noexcept {
 WallSlacks slacksOf(const HapticScene& scene, const ContactSet& contacts) noexcept {
   WallSlacks slacks;
   for (const Contact& contact : contacts) {
-    if (!(hysteresisOf(scene, contact) > 0) || !(contact.depth > 0)) continue;
+    if (!(wallOf(scene, contact).surface.hysteresis > 0) || !(contact.depth > 0)) continue;
     const double depth = depthInWall(contacts, contact.id);
     slacks.wall[slacks.count++] = {contact.id, depth, depth * (contact.slack / contact.depth)};
   }
@@ -32,7 +28,7 @@ WallSlacks slacksOf(const HapticScene& scene, const ContactSet& contacts) noexce
 void takeUpSlack(const HapticScene& scene, const WallSlacks& before, ContactSet& now) noexcept {
   for (Contact& contact : now) {
     contact.slack = 0;
-    const double most = hysteresisOf(scene, contact);
+    const double most = wallOf(scene, contact).surface.hysteresis;
     const double depth = most > 0 ? depthInWall(now, contact.id) : 0;
     if (!(depth > 0)) continue;
     const auto end = before.wall.begin() + before.count;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "haptics/index/Bounds.h"
+#include "haptics/geometry/Bounds.h"
 
 namespace haptiv {
 

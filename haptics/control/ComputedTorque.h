@@ -1,6 +1,6 @@
 #pragma once
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/dynamics/ArmDynamics.h"
 #include "haptics/measuring/Measured.h"
 

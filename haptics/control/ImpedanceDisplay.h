@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/dynamics/ArmDynamics.h"
 #include "haptics/measuring/Measured.h"
 

@@ -23,19 +23,7 @@ BoundingTree::BoundingTree(std::vector<BoxNode> nodes, const Vector3& origin, st
 
 std::optional<std::size_t> BoundingTree::listOf(std::span<const std::uint32_t> nodes, const Bounds& from, double reach,
                                                 std::span<std::uint32_t> items) const noexcept {
-  const FloatBox query = outwards(from.low, from.high, origin_);
-  const float most = widened(reach);
-  std::size_t listed = 0;
-  for (const std::uint32_t number : nodes) {
-    if (listed + BoxNode::kWidth > items.size()) return std::nullopt;
-    const BoxNode& node = nodes_[number];
-    const unsigned bits = node.within(query, most);
-    for (std::size_t k = 0; k < BoxNode::kWidth; ++k) {  // written in any case, and then counted or not
-      items[listed] = node.child[k] & ~BoxNode::kItemFlag;
-      listed += (bits >> k & 1U) & (node.child[k] >> 31U);
-    }
-  }
-  return listed;
+  return listItemsOf(nodes_, nodes, WithinReach(from, reach, origin_), items);
 }
 
 std::vector<std::uint32_t> BoundingTree::renumber() {

@@ -42,6 +42,18 @@ struct alignas(64) BoxNode {
     return {{low[0][place], low[1][place], low[2][place]}, {high[0][place], high[1][place], high[2][place]}};
   }
 
+  /// One bit for each place without a node below it: an item's, or an empty one.
+  unsigned withoutNode() const noexcept {
+#ifdef __SSE2__
+    const __m128i names = _mm_load_si128(reinterpret_cast<const __m128i*>(child));
+    return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(names)));
+#else
+    unsigned bits = 0;
+    for (unsigned i = 0; i < 4; ++i) bits |= child[i] >> 31U << i;
+    return bits;
+#endif
+  }
+
   /// One bit for each box that has a point in common with `query`.
   unsigned touching(const FloatBox& query) const noexcept {
 #ifdef __SSE2__
@@ -64,7 +76,7 @@ struct alignas(64) BoxNode {
 #endif
   }
 
-  /// One bit for each box whose distance from the point within `p`, squared, is `most` at most; true of boxes that are
+  /// One bit for each box whose distance from `p`, squared, is `most` at most; true of boxes that are
   /// farther by no more than single precision rounds.
   unsigned within(const FloatBox& p, float most) const noexcept {
 #ifdef __SSE2__

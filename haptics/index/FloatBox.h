@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "haptics/index/Bounds.h"
+#include "haptics/geometry/Bounds.h"
 
 namespace haptiv {
 

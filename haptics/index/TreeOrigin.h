@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "haptics/index/Bounds.h"
+#include "haptics/geometry/Bounds.h"
 
 namespace haptiv {
 

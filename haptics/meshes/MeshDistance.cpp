@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "haptics/geometry/UnitVector.h"
 #include "haptics/meshes/TrianglePoint.h"
-#include "haptics/shapes/AxialPoint.h"
 
 namespace haptiv {
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "haptics/shapes/ShapeDistance.h"
+#include "haptics/geometry/SurfacePoint.h"
+#include "haptics/meshes/TriangleMesh.h"
 
 namespace haptiv {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "haptics/index/Bounds.h"
+#include "haptics/geometry/Bounds.h"
 
 namespace haptiv {
 

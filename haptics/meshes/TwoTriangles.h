@@ -3,7 +3,7 @@
 #include <array>
 
 #include "device/types.h"
-#include "haptics/shapes/Pair.h"
+#include "haptics/geometry/Pair.h"
 
 namespace haptiv {
 

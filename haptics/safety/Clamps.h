@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 
 namespace haptiv {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "haptics/safety/Clamps.h"
 #include "haptics/safety/Faults.h"
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "device/control/ControlChoice.h"
-#include "device/redundancy/ResolutionChoice.h"
+#include "device/control/ResolutionChoice.h"
 #include "device/types.h"
-#include "haptics/index/ShapeIndex.h"
+#include "haptics/scene/ShapeIndex.h"
 #include "haptics/shapes/Shape.h"
 
 namespace haptiv {

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "haptics/geometry/UnitVector.h"
+
 namespace haptiv {
 
 AxialPoint axialPoint(const Shape& shape, const Vector3& p_W) noexcept {

@@ -23,10 +23,4 @@ struct AxialPoint {
 /// Realtime-safe: yes.
 AxialPoint axialPoint(const Shape& shape, const Vector3& p_W) noexcept;
 
-/// v / |v|, or `fallback` where v is zero.
-inline Vector3 unitOr(const Vector3& v, const Vector3& fallback) noexcept {
-  const double length = v.norm();
-  return length > 0 ? Vector3(v / length) : fallback;
-}
-
 }  // namespace haptiv

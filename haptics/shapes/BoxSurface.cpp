@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "haptics/shapes/AxialPoint.h"
+#include "haptics/geometry/UnitVector.h"
 #include "haptics/shapes/StraightBoxSurface.h"
 
 namespace haptiv {

@@ -1,6 +1,6 @@
 #include "haptics/shapes/SphereSurface.h"
 
-#include "haptics/shapes/AxialPoint.h"
+#include "haptics/geometry/UnitVector.h"
 
 namespace haptiv {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "haptics/shapes/Pair.h"
+#include "haptics/geometry/Pair.h"
 #include "haptics/shapes/StraightBox.h"
 
 namespace haptiv {

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "device/DeviceDescription.h"
 #include "device/Nonblocking.h"
+#include "device/described/DeviceDescription.h"
 #include "haptics/control/ArmControl.h"
 #include "haptics/laws/IfThenRenderer.h"
 #include "haptics/measuring/Measured.h"

@@ -55,7 +55,7 @@ void SceneCollector::collect(SoNode* root) {
   action.apply(root);
   memory_.meshes.forgetUnused();
   if (!origins.tool) {
-    say(Severity::error, nullptr,
+    say(Severity::error, root,
         "the scene has no tool: add HapticTool { home 0 0 0 } where the ball is to start, or make it solid: haptiv run "
         "--solid");
   }
@@ -132,7 +132,7 @@ void SceneCollector::checkPlace(const SoNode* node, SoCallbackAction& action) {
 
 void SceneCollector::say(Severity severity, const SoNode* node, const std::string& message) {
   if (!said_.emplace(node, message).second) return;
-  diagnostics.push_back({severity, {}, 0, node ? describe(node) : std::string(), message, node});
+  diagnostics.push_back({severity, {}, 0, describe(node), message, node});
 }
 
 }  // namespace haptiv

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "haptics/scene/HapticScene.h"
 #include "scenegraph/Diagnostic.h"
 #include "scenegraph/compiling/ShapeOrigin.h"

@@ -5,20 +5,22 @@
 
 #include <algorithm>
 
+#include "scenegraph/CoinMessages.h"
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/Keyword.h"
 #include "scenegraph/isolation/Isolated.h"
-#include "scenegraph/reading/coin/CoinMessages.h"
-#include "scenegraph/reading/coin/ExternalPrototypes.h"
+#include "scenegraph/nurbs/CutTrimmedNurbs.h"
+#include "scenegraph/reading/ExternalPrototypes.h"
 #include "scenegraph/reading/coin/Rehearsal.h"
 #include "scenegraph/reading/files/NamedFiles.h"
 #include "scenegraph/reading/files/SceneBytes.h"
 #include "scenegraph/reading/files/ScenePath.h"
-#include "scenegraph/reading/graph/GraphWalk.h"
+#include "scenegraph/reading/graph/GraphExpansion.h"
 #include "scenegraph/reading/graph/NodeLines.h"
-#include "scenegraph/reading/graph/NurbsRules.h"
 #include "scenegraph/reading/graph/NurbsSwitch.h"
 #include "scenegraph/reading/graph/ShapeIndices.h"
 #include "scenegraph/reading/text/Header.h"
+#include "scenegraph/reading/text/NodeAtLine.h"
 #include "scenegraph/reading/text/SceneScan.h"
 
 namespace haptiv {
@@ -36,6 +38,13 @@ void say(SceneFile& scene, Severity severity, std::string message, int line = 0)
 
 void fail(SceneFile& scene, std::string message, int line = 0) {
   say(scene, Severity::error, std::move(message), line);
+}
+
+/// On which line of the text this stands; 0 where it stands nowhere, or more than once.
+int lineOfOnly(const std::string& what, const std::string& text) {
+  const std::size_t at = text.find(what);
+  if (at == std::string::npos || text.find(what, at + 1) != std::string::npos) return 0;
+  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
 /// Says where the nodes that diagnostics name stand.
@@ -84,23 +93,30 @@ void SceneReader::parse(SceneFile& scene) {
     if (!converted.fault.empty()) return fail(scene, converted.fault);
     scene.text = std::move(converted.result);
   }
-  SceneScan scan = scanSceneText(scene.text, scene.path);
-  scene.diagnostics.insert(scene.diagnostics.end(), scan.diagnostics.begin(), scan.diagnostics.end());
+  const bool vrml2 = scene.text.starts_with("#VRML V2");
+  const SceneScan scan = scanSceneText(scene.text, scene.path);
+  const auto add = [&](const Diagnostics& said) {
+    for (Diagnostic each : said) {
+      if (isBinary) each.line = 0;  // its user has not seen this text
+      scene.diagnostics.push_back(std::move(each));
+    }
+  };
+  add(scan.diagnostics);
   if (hasErrors(scene.diagnostics)) return;
   if (!scan.isPlain) {
     const Isolated rehearsal = rehearse(scene.text);
-    if (!rehearsal.fault.empty()) return fail(scene, rehearsal.fault, isBinary ? 0 : rehearsal.line);
+    if (!rehearsal.fault.empty())
+      return add(located({{Severity::error, scene.path, rehearsal.line, {}, rehearsal.fault, nullptr}}, scan, vrml2));
   }
   const CoinMessages messages(scene.path);
   SoInput input;
   input.setBuffer(scene.text.data(), scene.text.size());
   scene.root = NodeRef<SoSeparator>(SoDB::readAll(&input));
-  const Diagnostics said = scene.root ? messages.ofReadScene() : messages.diagnostics();
-  scene.diagnostics.insert(scene.diagnostics.end(), said.begin(), said.end());
+  add(located(scene.root ? messages.ofReadScene() : messages.diagnostics(), scan, vrml2));
   if (!scene.root && !hasErrors(scene.diagnostics))
     fail(scene, "Coin cannot read it: check it for wrong words or brackets");
   if (!scene.root) return;
-  if (!isBinary) scene.lineOf = findLines(scan, scene.root.get(), scene.text.starts_with("#VRML V2"));
+  if (!isBinary) scene.lineOf = findLines(scan, scene.root.get(), vrml2);
   open(scene);
 }
 
@@ -144,46 +160,46 @@ NodeRef<SoSeparator> SceneReader::include(SceneFile& scene, const fs::path& path
 }
 
 void SceneReader::judge(SceneFile& scene) {
-  Diagnostics left;
-  for (const SoNode* shape : switchOffNurbs(scene.root.get())) {
-    const std::string why =
-        isEmptyNurbs(shape) ? "is neither shown nor felt, for it has no control points: give it some, or remove it"
-                            : "is neither shown nor felt, as NURBS are not in a scene with profiles, which trim them: "
-                              "convert it to triangles";
-    left.push_back({Severity::warning, {}, 0, describe(shape), why, shape});
-  }
-  addLocated(scene, std::move(left));
+  const auto tellLeftOut = [&scene](const std::vector<const SoNode*>& shapes, const std::string& why) {
+    Diagnostics left;
+    for (const SoNode* shape : shapes)
+      left.push_back({Severity::warning, {}, 0, describe(shape), "is neither shown nor felt" + why, shape});
+    addLocated(scene, std::move(left));
+  };
+  tellLeftOut(switchOffEmptyNurbs(scene.root.get()), ", for it has no control points: give it some, or remove it");
   const auto [why, node] = expansionFault(scene.root.get());
-  if (!why.empty()) {
-    const bool isRoot = node == scene.root.get();
-    return addLocated(scene, {{Severity::error, {}, 0, isRoot ? std::string() : describe(node), why, node}});
-  }
+  if (!why.empty()) return addLocated(scene, {{Severity::error, {}, 0, describe(node), why, node}});
   addLocated(scene, shapeIndexFaults(scene.root.get()));
+  if (hasErrors(scene.diagnostics)) return;
+  tellLeftOut(
+      cutTrimmedNurbs(scene.root.get()),
+      " where profiles trim it, for in its time GLU cuts no triangles of it: correct its profiles, or convert it "
+      "to triangles");
 }
 
 std::string SceneReader::prototypeText(const std::string& url) {
   SceneFile& scene = *reading_.back();
   const NamedFile file = judgeName(url, fs::path(scene.path).parent_path(), home_);
-  if (file.verdict != NamedFile::Verdict::inside) {
-    if (file.verdict == NamedFile::Verdict::forbidden) fail(scene, "EXTERNPROTO " + file.why);
-    return {};
-  }
+  const auto refuse = [&](const std::string& why) {
+    const int line = lineOfOnly("\"" + url + "\"", scene.text);
+    scene.diagnostics.push_back({Severity::error, scene.path, line, "EXTERNPROTO", why, nullptr});
+    return std::string();
+  };
+  if (file.verdict == NamedFile::Verdict::forbidden) return refuse(file.why);
+  if (file.verdict != NamedFile::Verdict::inside) return {};
   SceneBytes contents;
   {
     const FilesAllowed here;
     contents = readSceneBytes(file.path);
   }
   bytes_ += contents.bytes.size();
-  if (!contents.fault.empty() || bytes_ > kMaxSceneBytes) {
-    fail(scene,
-         "EXTERNPROTO \"" + url + "\" " + (contents.fault.empty() ? "makes the scene too large" : contents.fault));
-    return {};
-  }
+  if (!contents.fault.empty()) return refuse("\"" + url + "\" " + contents.fault);
+  if (bytes_ > kMaxSceneBytes) return refuse("\"" + url + "\" makes the scene too large");
   const std::string header = headerFault(contents.bytes);
   const SceneScan scan = scanSceneText(contents.bytes, file.path.filename().string());
   scene.diagnostics.insert(scene.diagnostics.end(), scan.diagnostics.begin(), scan.diagnostics.end());
-  if (!header.empty()) fail(scene, "EXTERNPROTO \"" + url + "\": " + header);
-  return header.empty() && !hasErrors(scan.diagnostics) ? contents.bytes : std::string();
+  if (!header.empty()) return refuse("\"" + url + "\": " + header);
+  return hasErrors(scan.diagnostics) ? std::string() : contents.bytes;
 }
 
 }  // namespace haptiv

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/SceneFile.h"
 #include "scenegraph/reading/files/PictureLoader.h"
 
 namespace haptiv {
@@ -25,12 +25,14 @@ class SceneReader {
   /// For EXTERNPROTO: its file's contents as scanned text; empty where it may not be read, which is said.
   std::string prototypeText(const std::string& url);
 
+  /// What a whole graph is refused for, or warned of.
+  static void judge(SceneFile& scene);
+
  private:
   void readGraph(SceneFile& scene);
   void parse(SceneFile& scene);
   NodeRef<SoSeparator> include(SceneFile& scene, const std::filesystem::path& path, const SoNode* namedBy);
   void open(SceneFile& scene);
-  void judge(SceneFile& scene);
 
   std::filesystem::path home_;
   PictureLoader pictures_;

@@ -1,3 +1,5 @@
+#include "scenegraph/writing/SceneSaver.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -7,10 +9,11 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "scenegraph/SceneCompiler.h"
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/isolation/Isolated.h"
-#include "scenegraph/writing/WithoutPrototypes.h"
+#include "scenegraph/reading/SceneFile.h"
+#include "scenegraph/writing/SceneWriter.h"
+#include "scenegraph/writing/WriteOutPrototypes.h"
 
 namespace haptiv {
 namespace {
@@ -79,22 +82,31 @@ class ReplacingFile {
 
 /// The scene without prototypes, made in a process of its own, where Coin may crash on what a stranger wrote, and
 /// compared with what it was.
-std::string writtenOut(SoSeparator* root, const fs::path& path) {
+std::string writtenOut(SoSeparator* root, const std::string& name) {
   const auto refuse = [&](const std::string& why) {
-    throw std::runtime_error(path.string() + ": cannot be saved: its prototypes (PROTO) cannot be written out: " + why +
+    throw std::runtime_error(name + ": cannot be saved: its prototypes (PROTO) cannot be written out: " + why +
                              "; the file is as it was");
   };
-  Isolated made = runIsolated([root] { return writeSceneText(withoutPrototypes(root).get()); });
+  Isolated made = runIsolated([root] {
+    writeOutPrototypes(root);
+    return writeSceneText(root);
+  });
   if (!made.fault.empty()) refuse(made.fault);
-  const SceneFile again = readSceneText(made.result, path.string());
+  const SceneFile again = readSceneText(made.result, name);
   if (!again.root || drawnTriangles(again.root.get()) != drawnTriangles(root)) refuse("the scene would be another one");
   return std::move(made.result);
 }
 
 }  // namespace
 
-void saveScene(SoSeparator* root, const fs::path& path) {
-  saveText(hasPrototypes(root) ? writtenOut(root, path) : writeSceneText(root), path);
+std::string lastingText(SoSeparator* root, const std::string& name) {
+  return findPrototype(root) ? writtenOut(root, name) : writeSceneText(root);
+}
+
+std::string saveScene(SoSeparator* root, const fs::path& path) {
+  std::string text = lastingText(root, path.string());
+  saveText(text, path);
+  return text;
 }
 
 void saveText(std::string_view text, const fs::path& path) {

@@ -1,3 +1,5 @@
+#include "scenegraph/writing/SceneWriter.h"
+
 #include <Inventor/fields/SoField.h>
 #include <Inventor/lists/SoFieldList.h>
 #include <Inventor/misc/SoProto.h>
@@ -8,11 +10,10 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "scenegraph/CoinMessages.h"
+#include "scenegraph/GraphText.h"
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/Keyword.h"
-#include "scenegraph/SceneFile.h"
-#include "scenegraph/reading/coin/CoinMessages.h"
-#include "scenegraph/reading/graph/GraphWalk.h"
-#include "scenegraph/writing/GraphText.h"
 
 namespace haptiv {
 namespace {
@@ -46,17 +47,19 @@ void checkNumbers(const SoNode* node) {
 
 }  // namespace
 
-bool hasPrototypes(SoNode* root) {
-  return std::ranges::any_of(writtenNodes(root), [](SoNode* node) {
+const SoNode* findPrototype(SoNode* root) {
+  const std::vector<SoNode*> nodes = writtenNodes(root);
+  const auto found = std::ranges::find_if(nodes, [](SoNode* node) {
     return node->isOfType(SoProto::getClassTypeId()) || SoProtoInstance::findProtoInstance(node);
   });
+  return found == nodes.end() ? nullptr : *found;
 }
 
 std::string writeSceneText(SoNode* root) {
   const CoinMessages silence{std::string()};  // of prototypes within each other Coin counts wrongly, and writes well
   for (const SoNode* node : writtenNodes(root)) checkNumbers(node);
   static constexpr int kDigits = 8;
-  return graphText(root, kDigits, hasPrototypes(root) ? "#VRML V2.0 utf8" : "#Inventor V2.1 ascii");
+  return graphText(root, kDigits, findPrototype(root) ? "#VRML V2.0 utf8" : "#Inventor V2.1 ascii");
 }
 
 }  // namespace haptiv

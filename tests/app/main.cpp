@@ -5,7 +5,7 @@
 #include <QWidget>
 
 #include "app/view/QtEnvironment.h"
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/SceneFile.h"
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);

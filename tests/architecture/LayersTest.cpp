@@ -1,45 +1,22 @@
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <regex>
 #include <string>
 #include <vector>
+
+#include "tests/architecture/Sources.h"
 
 // The arrows of ARCHITECTURE.md, read off the #include lines: app -> scenegraph -> haptics -> device.
 
 namespace {
 
-namespace fs = std::filesystem;
-
-struct Found {
-  std::string file;  // from the project's root
-  int line = 0;
-  std::string text;  // what the pattern's brackets hold
-};
-
-/// Where the sources below a folder have the pattern.
-std::vector<Found> find(const std::string& folder, const std::string& pattern) {
-  const fs::path root = HAPTIV_SOURCE_DIR;
-  const std::regex wanted(pattern);
-  std::vector<Found> all;
-  for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-    if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
-    std::ifstream stream(entry.path());
-    std::string text;
-    std::smatch match;
-    for (int line = 1; std::getline(stream, text); ++line) {
-      if (std::regex_search(text, match, wanted))
-        all.push_back({fs::relative(entry.path(), root).string(), line, match[1]});
-    }
-  }
-  return all;
-}
+using haptiv::testing::find;
+using haptiv::testing::Found;
 
 // Nothing below `folder`, files that match `except` aside, may include what matches `forbidden`.
 void expectNoInclude(const std::string& folder, const std::string& forbidden, const std::string& except = "$^") {
   const std::regex wrong(forbidden), allowed(except);
-  const std::vector<Found> includes = find(folder, R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  const std::vector<Found> includes = haptiv::testing::includesBelow(folder);
   EXPECT_FALSE(includes.empty()) << folder << " holds no sources: has it moved?";
   for (const Found& include : includes) {
     if (std::regex_search(include.file, allowed)) continue;
@@ -69,8 +46,8 @@ TEST(Layers, HapticsKnowsOnlyTheDevice) {
   expectNoInclude("haptics", "^(scenegraph|app)/");
 }
 TEST(Layers, ShapesAndMeshesKnowNoScene) {
-  for (const char* folder : {"haptics/shapes", "haptics/meshes", "haptics/index"})
-    expectNoInclude(folder, "^haptics/(?!shapes|meshes|index)");
+  for (const char* folder : {"haptics/geometry", "haptics/shapes", "haptics/meshes", "haptics/index"})
+    expectNoInclude(folder, "^haptics/(?!geometry|shapes|meshes|index)");
 }
 TEST(Layers, WhatATickIsMadeOfDoesNotKnowTheTick) {
   expectNoInclude("haptics", "^haptics/(tick|servo)/", "^haptics/(tick|servo)/");

@@ -7,8 +7,8 @@
 #include <ostream>
 #include <string>
 
-#include "device/DeviceDescription.h"
 #include "device/HapticDevice.h"
+#include "device/described/DeviceDescription.h"
 
 namespace haptiv::test {
 

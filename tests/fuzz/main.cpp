@@ -21,10 +21,11 @@
 #include <map>
 #include <stdexcept>
 
-#include "scenegraph/MakeSolid.h"
-#include "scenegraph/SceneCompiler.h"
-#include "scenegraph/SceneFile.h"
-#include "scenegraph/SolidModel.h"
+#include "scenegraph/compiling/SceneCompiler.h"
+#include "scenegraph/reading/SceneFile.h"
+#include "scenegraph/solid/MakeSolid.h"
+#include "scenegraph/solid/SolidModel.h"
+#include "scenegraph/writing/SceneWriter.h"
 #include "tests/fuzz/Mutation.h"
 
 namespace haptiv {

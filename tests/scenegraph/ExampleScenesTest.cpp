@@ -1,7 +1,10 @@
 #include <gmock/gmock.h>
 
 #include "haptics/scene/HapticScene.h"
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/judging/SceneJudge.h"
+#include "scenegraph/writing/SceneSaver.h"
+#include "scenegraph/writing/SceneWriter.h"
 #include "tests/scenegraph/SceneTesting.h"
 
 namespace haptiv {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "scenegraph/nodes/SoHapticProperty.h"
+#include "scenegraph/writing/SceneWriter.h"
 #include "tests/scenegraph/SceneTesting.h"
 
 namespace haptiv {

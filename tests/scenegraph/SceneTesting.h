@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "scenegraph/SceneCompiler.h"
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/compiling/SceneCompiler.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv::testing {
 

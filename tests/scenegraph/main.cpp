@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/SceneFile.h"
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 
 namespace haptiv {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/bench/scenes/WallFloor.h"
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/simulated/ScriptedHand.h"
 #include "device/simulated/SimulatedDevice.h"
 

@@ -4,7 +4,6 @@
 #include <iostream>
 
 #include "app/commands/DeviceName.h"
-#include "app/commands/Picture.h"
 #include "app/commands/WholeFile.h"
 #include "app/session/Falcons.h"
 #include "app/session/UsbBoards.h"

@@ -4,7 +4,7 @@
 
 #include "app/calibration/CalibrationGuide.h"
 #include "app/calibration/LoadsFile.h"
-#include "app/commands/Picture.h"
+#include "app/commands/NamedFile.h"
 #include "app/commands/Report.h"
 #include "app/commands/device/CalibrationRun.h"
 

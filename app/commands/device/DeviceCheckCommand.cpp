@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/commands/ExitCode.h"
+#include "app/commands/NamedFile.h"
 #include "app/commands/Picture.h"
 #include "app/commands/Progress.h"
 #include "app/commands/Report.h"
@@ -13,7 +14,7 @@
 #include "app/devicecheck/SpecificationTable.h"
 #include "app/figures/DrawFigure.h"
 #include "app/figures/OffscreenQt.h"
-#include "device/redundancy/ResolutionNames.h"
+#include "device/control/ResolutionNames.h"
 
 namespace haptiv {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <sstream>
 
-#include "app/commands/Picture.h"
+#include "app/commands/NamedFile.h"
 #include "app/commands/Report.h"
 #include "app/commands/device/CalibrationRun.h"
 

@@ -7,7 +7,7 @@
 #include "app/commands/ExitCode.h"
 #include "app/commands/Report.h"
 #include "app/commands/device/DeviceTable.h"
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/descriptions/BuiltInDescriptions.h"
 #include "device/usb/PluggedDevices.h"
 

@@ -7,6 +7,7 @@
 #include "app/commands/Report.h"
 #include "app/commands/scene/LoadedScene.h"
 #include "app/commands/scene/WallProperties.h"
+#include "scenegraph/GraphWalk.h"
 
 namespace haptiv {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/commands/Report.h"
 #include "app/generate/MazeScene.h"
 #include "app/generate/ReliefScene.h"
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/writing/SceneSaver.h"
 
 namespace haptiv {
 namespace {

@@ -1,20 +1,17 @@
 #include "app/commands/scene/LoadedScene.h"
 
-#include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <exception>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 
-#include "app/commands/ExitCode.h"
+#include "app/commands/NamedFile.h"
 #include "app/view/picture/PictureDecoder.h"
 #include "scenegraph/Keyword.h"
-#include "scenegraph/MakeSolid.h"
 #include "scenegraph/NumberText.h"
-#include "scenegraph/SolidModel.h"
 #include "scenegraph/judging/SceneJudge.h"
+#include "scenegraph/solid/MakeSolid.h"
+#include "scenegraph/solid/SolidModel.h"
+#include "scenegraph/writing/SceneWriter.h"
 
 namespace haptiv {
 namespace {
@@ -36,9 +33,9 @@ class ProgressLines {
   std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
 };
 
-void note(SceneFile& file, Diagnostic::Severity severity, const std::string& message, const SoNode* node = nullptr) {
-  Diagnostic diagnostic{severity, file.path, 0, node ? describe(node) : std::string(), message, node};
-  if (node) locate(diagnostic, file);
+void note(SceneFile& file, Diagnostic::Severity severity, const std::string& message, const SoNode* node) {
+  Diagnostic diagnostic{severity, {}, 0, describe(node), message, node};
+  locate(diagnostic, file);
   file.diagnostics.push_back(std::move(diagnostic));
 }
 
@@ -59,9 +56,12 @@ void makeSolid(SceneFile& file) {
   const std::vector<NodeRef<>> nodes =
       solidNodes(file.root.get(), loadDeviceDescription(DevicePlacement().description));
   if (nodes.empty()) {
+    SoNode* root = file.root.get();
     const std::string fault = solidFault(modelBounds(file.root.get()));
-    if (!fault.empty()) return note(file, Diagnostic::Severity::error, "--solid makes nothing of the scene: " + fault);
-    return note(file, Diagnostic::Severity::warning, "--solid has nothing to add: the scene says itself what is felt");
+    if (!fault.empty())
+      return note(file, Diagnostic::Severity::error, "--solid makes nothing of the scene: " + fault, root);
+    return note(file, Diagnostic::Severity::warning, "--solid has nothing to add: the scene says itself what is felt",
+                root);
   }
   mendSizes(file);
   for (std::size_t i = 0; i < nodes.size(); ++i) file.root->insertChild(nodes[i].get(), static_cast<int>(i));
@@ -103,16 +103,6 @@ LoadedScene loadScene(const std::string& path, const LoadOptions& options) {
 
 void tell(const Diagnostics& diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics) std::cerr << toText(diagnostic) << "\n";
-}
-
-void requireReadable(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw CommandFailure(kCouldNot, path + ": this is a folder; name a file in it");
-  if (std::filesystem::is_fifo(path, ignored))  // opening one waits for who writes to it
-    throw CommandFailure(kCouldNot, path + ": this is a pipe; name a file");
-  if (!std::ifstream(path))
-    throw CommandFailure(kCouldNot, path + ": cannot be read: " + std::strerror(errno) + "; check the path");
 }
 
 }  // namespace haptiv

@@ -3,10 +3,10 @@
 #include <memory>
 #include <string>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "haptics/scene/HapticScene.h"
-#include "scenegraph/SceneCompiler.h"
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/compiling/SceneCompiler.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 
@@ -30,8 +30,5 @@ LoadedScene loadScene(const std::string& path, const LoadOptions& options = {});
 
 /// Errors and warnings as lines on stderr.
 void tell(const Diagnostics& diagnostics);
-
-/// Throws CommandFailure (kCouldNot) that says what hinders, unless `path` is a file that can be read.
-void requireReadable(const std::string& path);
 
 }  // namespace haptiv

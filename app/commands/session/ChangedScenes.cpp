@@ -8,6 +8,8 @@
 
 #include "app/commands/ExitCode.h"
 #include "app/commands/scene/LoadedScene.h"
+#include "scenegraph/nodes/SoHapticDevice.h"
+#include "scenegraph/nodes/SoHapticTool.h"
 
 namespace haptiv {
 namespace {
@@ -27,6 +29,11 @@ std::set<SoNode*> nodesCalled(SoNode* root, const std::string& name) {
   return nodes;
 }
 
+bool isAsLogged(const SoNode* node, const std::string& field) {
+  return node->isOfType(SoHapticDevice::getClassTypeId()) ||
+         (node->isOfType(SoHapticTool::getClassTypeId()) && field == "home");
+}
+
 // False: the scene has no node of this name. A Separator and the surface in it may bear the same one: the field
 // decides.
 bool apply(SoNode* root, const PropertyChange& change) {
@@ -36,6 +43,9 @@ bool apply(SoNode* root, const PropertyChange& change) {
   for (SoNode* node : nodes) {
     SoField* field = node->getField(change.field.c_str());
     if (!field) continue;
+    if (isAsLogged(node, change.field))
+      throw CommandFailure(kWrongUsage, what + "arm and start are those of the log; run the changed scene instead");
+    field->disconnect();  // from a prototype's field (IS), whose value would come back
     if (!field->set(change.value.c_str())) throw CommandFailure(kWrongUsage, what + "this is no value of that field");
     applied = true;
   }
@@ -45,7 +55,6 @@ bool apply(SoNode* root, const PropertyChange& change) {
   return applied;
 }
 
-// Reads and compiles; through the text, so that a changed scene is judged as a file is.
 std::shared_ptr<const HapticScene> compile(const SceneFile& file) {
   Diagnostics diagnostics = file.diagnostics;
   CompiledScene compiled;
@@ -58,6 +67,19 @@ std::shared_ptr<const HapticScene> compile(const SceneFile& file) {
     throw CommandFailure(kNotSo, "the logged scene cannot be felt with what --set changes; see the lines above");
   }
   return compiled.scene;
+}
+
+// What is included is not in the log. Where many edits of a large scene share one text, that may also be another one.
+void requireIncluded(const SceneFile& file, const HapticScene& read, const HapticScene& logged) {
+  if (read.walls.size() == logged.walls.size() && read.zones.size() == logged.zones.size()) return;
+  const auto isMissing = [](const Diagnostic& each) {
+    return each.node.starts_with("File") || each.node.starts_with("WWWInline") || each.node.starts_with("VRMLInline");
+  };
+  if (std::ranges::none_of(file.diagnostics, isMissing)) return;
+  tell(file.diagnostics);
+  throw CommandFailure(kCouldNot,
+                       "--set: what the logged scene includes is not found from here; run haptiv in the folder "
+                       "of the scene, which haptiv info names");
 }
 
 /// Carries what differs between `before` and `after` over to `to`.
@@ -120,12 +142,13 @@ std::vector<LoggedScene> withChanges(const std::vector<LoggedScene>& scenes,
   std::vector<bool> used(changes.size(), false);
   std::vector<LoggedScene> changed = scenes;
   for (LoggedScene& each : changed) {
-    const SceneFile file = readSceneText(each.text, "the logged scene");
+    SceneFile file = readSceneText(each.text, "the logged scene");
     const auto before = compile(file);
+    requireIncluded(file, *before, each.scene);
     for (std::size_t i = 0; i < changes.size(); ++i)
       if (apply(file.root.get(), changes[i])) used[i] = true;
-    each.text = writeSceneText(file.root.get());
-    const auto after = compile(readSceneText(each.text, "the changed scene"));
+    judgeAgain(file);
+    const auto after = compile(file);
     carry(each.scene.tool.mass, before->tool.mass, after->tool.mass);
     carry(each.scene.tool.damping, before->tool.damping, after->tool.damping);
     carry(each.scene.tool.radius, before->tool.radius, after->tool.radius);

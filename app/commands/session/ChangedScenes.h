@@ -17,9 +17,9 @@ struct PropertyChange {
 /// Reads NODE.FIELD=VALUE. Throws CommandFailure (kWrongUsage) where it is none.
 PropertyChange parseChange(const std::string& text);
 
-/// The scenes of a log as they would have been with these changes; versions and shape ids stay. What the changes leave
+/// The scenes of a log as they would have been with these changes; versions, shape ids and texts stay. What the changes leave
 /// alone stays bit for bit. Needs initSceneGraph. Throws CommandFailure: kWrongUsage where no scene has such a node or
-/// field, kNotSo where a changed scene has errors.
+/// field, kNotSo where a changed scene has errors, kCouldNot where what it includes is not there.
 std::vector<LoggedScene> withChanges(const std::vector<LoggedScene>& scenes,
                                      const std::vector<PropertyChange>& changes);
 

@@ -4,13 +4,13 @@
 #include <utility>
 
 #include "app/commands/ExitCode.h"
+#include "app/commands/NamedFile.h"
 #include "app/commands/Report.h"
-#include "app/commands/scene/LoadedScene.h"
 #include "app/commands/session/SessionReport.h"
 #include "app/session/choices/SceneControl.h"
 #include "app/session/choices/SceneResolution.h"
 #include "app/session/log/reading/SessionLog.h"
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 
 namespace haptiv {
 namespace {

@@ -4,14 +4,15 @@
 #include <memory>
 
 #include "app/commands/ExitCode.h"
+#include "app/commands/NamedFile.h"
 #include "app/commands/Report.h"
 #include "app/commands/WindowCommand.h"
-#include "app/commands/scene/LoadedScene.h"
 #include "app/commands/session/ChangedScenes.h"
 #include "app/commands/session/SessionReport.h"
 #include "app/session/Resimulation.h"
 #include "app/session/log/reading/LogExport.h"
 #include "app/session/log/reading/SessionLog.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 namespace {

@@ -4,12 +4,14 @@
 #include <optional>
 
 #include "app/commands/ExitCode.h"
+#include "app/commands/NamedFile.h"
 #include "app/commands/Picture.h"
 #include "app/commands/scene/LoadedScene.h"
 #include "app/commands/session/LiveRun.h"
 #include "app/commands/session/RunOptions.h"
 #include "app/commands/session/RunPeople.h"
 #include "app/commands/session/RunSetup.h"
+#include "app/commands/session/SessionPicture.h"
 #include "app/commands/session/SessionReport.h"
 #include "app/session/Session.h"
 #include "app/session/choices/SceneControl.h"

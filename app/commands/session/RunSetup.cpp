@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/commands/ExitCode.h"
+#include "app/commands/NamedFile.h"
 #include "app/commands/session/RunPeople.h"
 #include "app/session/Falcons.h"
 #include "app/session/UsbBoards.h"
@@ -12,7 +13,7 @@
 #include "app/session/hands/HandFile.h"
 #include "app/session/recording/FlightRecorder.h"
 #include "device/control/ControlNames.h"
-#include "device/redundancy/ResolutionNames.h"
+#include "device/control/ResolutionNames.h"
 
 namespace haptiv {
 namespace {

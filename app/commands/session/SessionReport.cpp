@@ -1,7 +1,7 @@
 #include "app/commands/session/SessionReport.h"
 
 #include "device/control/ControlNames.h"
-#include "device/redundancy/ResolutionNames.h"
+#include "device/control/ResolutionNames.h"
 #include "haptics/safety/Clamps.h"
 
 namespace haptiv {

@@ -15,7 +15,7 @@
 #include "app/timing/DurationText.h"
 #include "device/control/ControlNames.h"
 #include "haptics/servo/ServoPace.h"
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 namespace {

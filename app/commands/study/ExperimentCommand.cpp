@@ -15,7 +15,7 @@
 #include "app/experiments/claims/ClaimsText.h"
 #include "app/figures/DrawFigure.h"
 #include "app/figures/OffscreenQt.h"
-#include "device/redundancy/ResolutionNames.h"
+#include "device/control/ResolutionNames.h"
 
 namespace haptiv {
 namespace {

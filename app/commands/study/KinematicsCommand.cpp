@@ -7,7 +7,7 @@
 
 #include "app/commands/ExitCode.h"
 #include "app/commands/Report.h"
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/kinematics/ArmKinematics.h"
 #include "device/redundancy/criterion/Criterion.h"
 

@@ -29,10 +29,13 @@ FieldValue::FieldValue(const SoField& field, const std::string& text) : FieldVal
 void FieldValue::exchangeWith(SoField& field) {
   std::unique_ptr<SoField> before = copyOf(field);
   const bool wasDefault = field.isDefault();
+  const FieldConnection wasConnected = FieldConnection::cut(field);
   field.copyFrom(*value_);
   field.setDefault(isDefault_);
+  connection_.restore(field);
   value_ = std::move(before);
   isDefault_ = wasDefault;
+  connection_ = wasConnected;
 }
 
 bool FieldValue::isSameAs(const SoField& field) const {

@@ -5,10 +5,12 @@
 #include <memory>
 #include <string>
 
+#include "app/editor/commands/FieldConnection.h"
+
 namespace haptiv {
 
-/// A value of a field, apart from any node; remembers too whether the field stood at its default, so that a graph
-/// whose edits are undone is written as it was.
+/// A value of a field, apart from any node; remembers too whether the field stood at its default and where it had its
+/// value from, so that a graph whose edits are undone is written as it was.
 class FieldValue {
  public:
   /// The value that the field has now.
@@ -31,6 +33,7 @@ class FieldValue {
  private:
   std::unique_ptr<SoField> value_;
   bool isDefault_ = false;
+  FieldConnection connection_;
 };
 
 }  // namespace haptiv

@@ -19,6 +19,12 @@ void LiveCompilation::replaceBy(const SceneFile& file) {
   judge(file);
 }
 
+void LiveCompilation::locate(const SceneFile& file) {
+  for (Diagnostic& each : compiled_.diagnostics) haptiv::locate(each, file);
+  isToJudge_ = true;
+  judge(file);
+}
+
 void LiveCompilation::compile(const SceneFile& file) {
   if (!isToCompile_) return;
   CompiledScene next = compiler_.compile(file);
@@ -52,7 +58,7 @@ Diagnostics LiveCompilation::judgementOf(const SceneFile& file) {
   } catch (const std::exception& error) {
     found.push_back({Diagnostic::Severity::error, {}, 0, "HapticDevice", error.what(), compiled_.origins.device});
   }
-  for (Diagnostic& each : found) locate(each, file);
+  for (Diagnostic& each : found) haptiv::locate(each, file);
   return found;
 }
 

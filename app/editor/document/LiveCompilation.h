@@ -3,9 +3,9 @@
 #include <string>
 #include <utility>
 
-#include "device/DeviceDescription.h"
-#include "scenegraph/SceneCompiler.h"
-#include "scenegraph/SceneFile.h"
+#include "device/described/DeviceDescription.h"
+#include "scenegraph/compiling/SceneCompiler.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 
@@ -21,6 +21,8 @@ class LiveCompilation {
   void outdate() { isToCompile_ = true; }
   /// The scene's folder, from which the device's file is named, or that file may be another one.
   void forgetDevice() { deviceName_.clear(); }
+  /// The nodes stand on other lines, or in another file.
+  void locate(const SceneFile& file);
   /// Compiles and judges another file's graph.
   void replaceBy(const SceneFile& file);
 

@@ -10,6 +10,8 @@
 #include "app/editor/document/LiveCompilation.h"
 #include "app/editor/document/Selection.h"
 #include "app/view/picture/PictureDecoder.h"
+#include "scenegraph/writing/SceneSaver.h"
+#include "scenegraph/writing/SceneWriter.h"
 
 namespace haptiv {
 namespace {
@@ -53,13 +55,11 @@ bool SceneDocument::open(const QString& path) {
     emit diagnosticsChanged();
     return false;
   }
-  if (hasPrototypes(file.root.get())) {
-    file.diagnostics.push_back({Diagnostic::Severity::warning,
-                                file.path,
-                                0,
-                                {},
-                                "it holds prototypes (PROTO): saving writes out the nodes that they make",
-                                nullptr});
+  if (const SoNode* prototype = findPrototype(file.root.get())) {
+    Diagnostic saving{
+        Diagnostic::Severity::warning, {}, 0, "PROTO", "saving writes out the nodes that it makes", prototype};
+    locate(saving, file);
+    file.diagnostics.push_back(std::move(saving));
   }
   replaceBy(std::move(file));
   return true;
@@ -89,10 +89,11 @@ void SceneDocument::replaceBy(SceneFile file) {
 
 void SceneDocument::save(const QString& path) {
   releaseHandles();
-  saveScene(parts_->file.root.get(), path.toStdString());
-  parts_->file.path = path.toStdString();
+  const std::string text = saveScene(parts_->file.root.get(), path.toStdString());
+  moveTo(path.toStdString(), text, parts_->file);
   parts_->compilation.forgetDevice();  // names of files are relative to the scene's folder
-  parts_->file.lineOf.clear();         // the saved text has lines of its own
+  parts_->compilation.locate(parts_->file);
+  emit diagnosticsChanged();
   const bool wasClean = parts_->undoStack.isClean();
   parts_->undoStack.setClean();
   if (wasClean) emit modifiedChanged(false);  // the path may be another one
@@ -117,7 +118,11 @@ SoSeparator* SceneDocument::root() const {
 
 std::string SceneDocument::text() const {
   const_cast<SceneDocument*>(this)->releaseHandles();
-  return writeSceneText(parts_->file.root.get());
+  try {
+    return lastingText(parts_->file.root.get(), parts_->file.path);
+  } catch (const std::runtime_error&) {
+    return writeSceneText(parts_->file.root.get());
+  }
 }
 
 QUndoStack& SceneDocument::undoStack() {

@@ -6,9 +6,9 @@
 #include <QUndoStack>
 #include <memory>
 
-#include "device/DeviceDescription.h"
-#include "scenegraph/SceneCompiler.h"
-#include "scenegraph/SceneFile.h"
+#include "device/described/DeviceDescription.h"
+#include "scenegraph/compiling/SceneCompiler.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 
@@ -33,7 +33,7 @@ class SceneDocument : public QObject {
   QString path() const;
   bool isModified() const;
   SoSeparator* root() const;
-  /// The scene as text, as save would write it.
+  /// The scene as text, as save would write it; as Coin does, where save would refuse its prototypes.
   std::string text() const;
   QUndoStack& undoStack();
 

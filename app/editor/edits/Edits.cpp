@@ -11,8 +11,8 @@
 #include "app/editor/edits/Macro.h"
 #include "app/editor/edits/NewShape.h"
 #include "app/editor/items/ShapeUnit.h"
-#include "scenegraph/MakeSolid.h"
-#include "scenegraph/SolidModel.h"
+#include "scenegraph/solid/MakeSolid.h"
+#include "scenegraph/solid/SolidModel.h"
 
 namespace haptiv {
 namespace {

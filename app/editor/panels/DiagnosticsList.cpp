@@ -17,8 +17,9 @@ QString textOf(const Diagnostic& diagnostic) {
   return text + QString::fromStdString(diagnostic.message);
 }
 
-/// Whether the node is on the way to the item, or beside it on that way: then it may act on it.
+/// Whether the node is on the way to the item, or beside it on that way: then it may act on it. The root concerns all.
 bool concerns(SoSeparator* root, const SceneItem& item, const SoNode* source) {
+  if (source == root) return true;
   const SoNode* node = root;
   for (const int index : item.place) {
     const auto* group = static_cast<const SoGroup*>(node);

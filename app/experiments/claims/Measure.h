@@ -6,7 +6,7 @@
 
 #include "app/experiments/RunTable.h"
 #include "app/experiments/claims/Claim.h"
-#include "device/redundancy/ResolutionNames.h"
+#include "device/control/ResolutionNames.h"
 
 /// What the files of claims share.
 namespace haptiv {

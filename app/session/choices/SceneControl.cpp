@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/session/choices/WithChoice.h"
+
 namespace haptiv {
 
 ControlChoice controlOf(const HapticScene& scene, const DeviceDescription& description) {
@@ -11,10 +13,7 @@ ControlChoice controlOf(const HapticScene& scene, const DeviceDescription& descr
 
 std::shared_ptr<const HapticScene> withControl(std::shared_ptr<const HapticScene> scene,
                                                const std::optional<ControlChoice>& choice) {
-  if (scene->control == choice) return scene;
-  HapticScene chosen = *scene;
-  chosen.control = choice;
-  return std::make_shared<const HapticScene>(std::move(chosen));
+  return withChoice(std::move(scene), &HapticScene::control, choice);
 }
 
 void expectControllable(const ControlChoice& choice, const DeviceDescription& description) {

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "haptics/scene/HapticScene.h"
 
 /// How the arm is driven crosses to the servo, and into the log, with the scene.

@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/session/choices/WithChoice.h"
+
 namespace haptiv {
 
 ResolutionChoice resolutionOf(const HapticScene& scene, const DeviceDescription& description) {
@@ -11,10 +13,7 @@ ResolutionChoice resolutionOf(const HapticScene& scene, const DeviceDescription&
 
 std::shared_ptr<const HapticScene> withResolution(std::shared_ptr<const HapticScene> scene,
                                                   const std::optional<ResolutionChoice>& choice) {
-  if (scene->resolution == choice) return scene;
-  HapticScene chosen = *scene;
-  chosen.resolution = choice;
-  return std::make_shared<const HapticScene>(std::move(chosen));
+  return withChoice(std::move(scene), &HapticScene::resolution, choice);
 }
 
 void expectResolvable(const ResolutionChoice& choice, const DeviceDescription& description) {

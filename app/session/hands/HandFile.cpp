@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/session/CsvLine.h"
+#include "app/session/csv/CsvLine.h"
 
 namespace haptiv {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/view/ellipsoids/DexterityFigure.h"
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "haptics/scene/HapticScene.h"
 #include "haptics/tick/TickRecord.h"
 #include "scenegraph/NodeRef.h"

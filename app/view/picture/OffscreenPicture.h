@@ -2,7 +2,7 @@
 
 #include <QImage>
 
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "device/redundancy/ResolutionChoice.h"
+#include "device/control/ResolutionChoice.h"
 #include "device/types.h"
 
 namespace haptiv {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/redundancy/matrices/Cholesky.h"
 #include "device/redundancy/matrices/SymmetricEigen.h"
 

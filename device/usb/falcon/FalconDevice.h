@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "device/DeviceDescription.h"
 #include "device/HapticDevice.h"
 #include "device/HostButtons.h"
+#include "device/described/DeviceDescription.h"
 #include "device/usb/falcon/FalconClient.h"
 
 namespace haptiv {

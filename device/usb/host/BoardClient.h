@@ -3,7 +3,7 @@
 #include <atomic>
 #include <optional>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/usb/host/BoardRequests.h"
 #include "device/usb/host/CommandOutlet.h"
 #include "device/usb/host/StateIntake.h"

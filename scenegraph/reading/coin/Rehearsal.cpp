@@ -13,14 +13,15 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "scenegraph/CoinMessages.h"
+#include "scenegraph/GraphText.h"
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/Keyword.h"
 #include "scenegraph/NodeRef.h"
-#include "scenegraph/reading/coin/CoinMessages.h"
-#include "scenegraph/reading/graph/GraphWalk.h"
+#include "scenegraph/reading/graph/GraphExpansion.h"
 #include "scenegraph/reading/graph/NurbsRules.h"
 #include "scenegraph/reading/graph/NurbsSwitch.h"
 #include "scenegraph/reading/graph/ShapeIndices.h"
-#include "scenegraph/writing/GraphText.h"
 
 namespace haptiv {
 namespace {
@@ -91,7 +92,7 @@ Isolated rehearse(const std::string& text) {
     const CoinMessages silence{std::string()};
     const auto root = read(text);
     if (!root) return std::string();
-    switchOffNurbs(root.get());
+    switchOffEmptyNurbs(root.get());
     if (expansionFault(root.get()).why.empty() && !hasErrors(shapeIndexFaults(root.get()))) goThrough(root.get());
     return std::string();
   });

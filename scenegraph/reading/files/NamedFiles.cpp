@@ -8,12 +8,12 @@
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoWWWInline.h>
 
+#include "scenegraph/CoinMessages.h"
+#include "scenegraph/GraphWalk.h"
 #include "scenegraph/Keyword.h"
-#include "scenegraph/reading/coin/CoinMessages.h"
 #include "scenegraph/reading/files/FontNames.h"
 #include "scenegraph/reading/files/NamedFields.h"
 #include "scenegraph/reading/files/ScenePath.h"
-#include "scenegraph/reading/graph/GraphWalk.h"
 
 namespace haptiv {
 namespace {

@@ -4,6 +4,8 @@
 #include <Inventor/fields/SoField.h>
 #include <Inventor/fields/SoFieldContainer.h>
 
+#include <algorithm>
+
 #include "scenegraph/Keyword.h"
 
 namespace haptiv {
@@ -23,12 +25,16 @@ class Probe {
   SoFieldContainer* instance_;
 };
 
+bool hasFields(SoType type) {
+  return type.isDerivedFrom(SoFieldContainer::getClassTypeId()) && type.canCreateInstance();
+}
+
 }  // namespace
 
 std::string declaredFieldsFault(const std::string& keyword, bool vrml2, const std::vector<std::string>& declared) {
   if (declared.size() % 2 != 0) return "the list of fields is not made of pairs, type and name: correct it";
   const SoType type = typeOfKeyword(keyword, vrml2);
-  if (!type.isDerivedFrom(SoFieldContainer::getClassTypeId()) || !type.canCreateInstance()) return {};
+  if (!hasFields(type)) return {};
   const Probe probe(type);
   for (std::size_t i = 0; i < declared.size(); i += 2) {
     const SoField* field = probe.field(declared[i + 1]);
@@ -42,6 +48,13 @@ std::string declaredFieldsFault(const std::string& keyword, bool vrml2, const st
     }
   }
   return {};
+}
+
+bool hasFieldOf(const std::string& keyword, bool vrml2, const std::set<std::string>& names) {
+  const SoType type = typeOfKeyword(keyword, vrml2);
+  if (names.empty() || !hasFields(type)) return false;
+  const Probe probe(type);
+  return std::ranges::any_of(names, [&](const std::string& name) { return probe.field(name) != nullptr; });
 }
 
 }  // namespace haptiv

@@ -6,6 +6,7 @@ namespace haptiv {
 
 bool NodeNames::takes(std::string_view word) {
   used_.reset();
+  isUse_ = expect_ == Expect::useName;
   if (expect_ == Expect::nothing) {
     if (word == "DEF") expect_ = Expect::defName;
     if (word == "USE") expect_ = Expect::useName;
@@ -14,7 +15,7 @@ bool NodeNames::takes(std::string_view word) {
     return expect_ != Expect::nothing;
   }
   if (expect_ == Expect::defName) defName_ = word;
-  if (expect_ == Expect::useName) {
+  if (isUse_) {
     if (const auto found = nodes_.find(std::string(word)); found != nodes_.end()) used_ = found->second;
   }
   if (expect_ != Expect::route || --routeWords_ == 0) expect_ = Expect::nothing;

@@ -16,6 +16,8 @@ class NodeNames {
   bool takes(std::string_view word);
   /// Whether a word must still follow.
   bool expectsWord() const { return expect_ != Expect::nothing; }
+  /// Whether the last word that it took is the name after USE, and which node that is.
+  bool isUse() const { return isUse_; }
   std::optional<std::size_t> used() const { return used_; }
 
   /// A node begins: it gets the name that stood before it, which is returned; empty: it has none.
@@ -29,6 +31,7 @@ class NodeNames {
   Expect expect_ = Expect::nothing;
   int routeWords_ = 0;
   std::string defName_;
+  bool isUse_ = false;
   std::optional<std::size_t> used_;
   std::unordered_map<std::string, std::size_t> nodes_;  ///< the last one of each name
 };

@@ -15,6 +15,8 @@ class Prototypes {
  public:
   /// Whether a word belongs to the declaration of a prototype.
   bool takesWord(std::string_view word);
+  /// Whether the last such word was its name.
+  bool isNamed() const { return phase_ == Phase::fields || phase_ == Phase::externFields; }
   void takeString(std::size_t depth);
   /// "[" and "{", `depth` brackets being open before it; whether it opens the body of a prototype.
   void openList(std::size_t depth);

@@ -2,12 +2,12 @@
 
 #include <Inventor/SbName.h>
 
-#include <algorithm>
 #include <optional>
 
 #include "scenegraph/reading/text/DeclaredFields.h"
 #include "scenegraph/reading/text/ImageSize.h"
 #include "scenegraph/reading/text/NodeNames.h"
+#include "scenegraph/reading/text/OpenBrackets.h"
 #include "scenegraph/reading/text/PlainNodes.h"
 #include "scenegraph/reading/text/Prototypes.h"
 #include "scenegraph/reading/text/SceneTokenizer.h"
@@ -19,9 +19,8 @@ using Kind = SceneToken::Kind;
 
 constexpr std::size_t kDeepestText = 1000;   // Coin reads recursively; its stack ends near 11,600
 constexpr std::size_t kMaxDiagnostics = 50;  // a broken file need not be quoted in full
-constexpr std::size_t kNoNode = ~std::size_t{0};
 
-/// One pass over the tokens; `levels_` holds the brackets that are open.
+/// One pass over the tokens.
 class Scanner {
  public:
   Scanner(std::string_view text, const std::string& file)
@@ -32,19 +31,19 @@ class Scanner {
       const SceneToken token = tokens_.next();
       if (token.kind == Kind::end) break;
       if (token.kind == Kind::bad) {
-        fail(token.line, {}, std::string(token.text));
+        fail(token.line, keyword(), std::string(token.text));
         return std::move(scan_);
       }
       if (token.kind == Kind::unclear) {  // the rest is for the rehearsal
         scan_.isPlain = false;
         return std::move(scan_);
       }
-      if (levels_.empty() && endsScene(token)) {
+      if (brackets_.empty() && endsScene(token)) {
         takeEnd(token);
         return std::move(scan_);
       }
       take(token);
-      if (levels_.size() > kDeepestText) {
+      if (brackets_.count() > kDeepestText) {
         fail(token.line, {}, "nested deeper than 1000 levels: make the scene flatter");
         return std::move(scan_);
       }
@@ -54,13 +53,6 @@ class Scanner {
   }
 
  private:
-  struct Level {
-    Kind kind = Kind::open;
-    int line = 0;
-    std::size_t node = kNoNode;  ///< index into scan_.nodes
-    bool isBody = false;         ///< of a prototype
-  };
-
   void take(const SceneToken& token) {
     switch (token.kind) {
       case Kind::word:
@@ -85,17 +77,29 @@ class Scanner {
   void takeWord(const SceneToken& token) {
     const std::string_view word = token.text;
     if (!names_.expectsWord() && prototypes_.takesWord(word)) {
-      scan_.isPlain = false;
-      word_.reset();
+      takePrototype(token);
     } else if (names_.takes(word)) {
-      if (names_.used()) checkUse(token, *names_.used());
+      if (names_.isUse()) addUse(token);
       if (word == "ROUTE") scan_.isPlain = false;
     } else {
       takePlainWord(token);
     }
   }
 
+  /// PROTO or EXTERNPROTO, and then its name.
+  void takePrototype(const SceneToken& token) {
+    scan_.isPlain = false;
+    word_.reset();
+    if (prototypes_.isNamed()) {
+      scan_.nodes.back().name = token.text;
+    } else {
+      scan_.nodes.push_back(
+          {std::string(token.text), {}, token.line, token.line, brackets_.node(), {}, brackets_.isApart()});
+    }
+  }
+
   void takePlainWord(const SceneToken& token) {
+    before_ = word_ ? word_->text : std::string_view();
     takeValue(token);
     word_ = token;
     if (image_.isTooLarge(token.text))
@@ -108,27 +112,35 @@ class Scanner {
     if (declaring_) declared_.push_back(std::string(token.text));
     if (token.kind == Kind::string) {
       word_.reset();
-      prototypes_.takeString(levels_.size());
+      prototypes_.takeString(brackets_.count());
     }
   }
 
   void open(const SceneToken& token) {
-    Level level{token.kind, token.line, kNoNode, false};
+    OpenBrackets::Bracket bracket{.kind = token.kind, .line = token.line};
+    bracket.isApart = prototypes_.isOpen() || brackets_.isApart();
     if (token.kind == Kind::open) {
-      level.isBody = prototypes_.opensBody(levels_.size());
-      if (word_ && !level.isBody) level.node = addNode(*word_);
+      bracket.isBody = prototypes_.opensBody(brackets_.count());
+      if (word_ && !bracket.isBody) {
+        bracket.node = addNode(*word_);
+        bracket.isApart = scan_.nodes[bracket.node].isApart;
+      }
     } else {
-      prototypes_.openList(levels_.size());
+      if (word_) bracket.field = word_->text;
+      prototypes_.openList(brackets_.count());
       declaring_ = word_ && (word_->text == "fields" || word_->text == "inputs") && !keyword().empty();
       declared_.clear();
     }
     word_.reset();
-    levels_.push_back(level);
+    brackets_.open(bracket);
   }
 
   std::size_t addNode(const SceneToken& keyword) {
     const std::size_t index = scan_.nodes.size();
-    scan_.nodes.push_back({std::string(keyword.text), names_.begin(index), keyword.line});
+    const std::string_view field = brackets_.fieldBefore(before_);
+    const bool apart = brackets_.isApart() || field.ends_with('=');
+    scan_.nodes.push_back(
+        {std::string(keyword.text), names_.begin(index), keyword.line, keyword.line, brackets_.node(), field, apart});
     if (!isPlainNode(keyword.text) || names_.areVeryMany()) scan_.isPlain = false;
     const std::string fault = prototypes_.add(keyword.text);
     if (!fault.empty()) fail(keyword.line, std::string(keyword.text), fault);
@@ -137,15 +149,16 @@ class Scanner {
 
   void close(const SceneToken& token) {
     word_.reset();
-    if (levels_.empty()) return fail(token.line, {}, "\"" + std::string(token.text) + "\" closes nothing: remove it");
+    if (brackets_.empty()) return fail(token.line, {}, "\"" + std::string(token.text) + "\" closes nothing: remove it");
     const Kind opener = token.kind == Kind::close ? Kind::open : Kind::openList;
-    if (levels_.back().kind != opener) {
+    if (brackets_.innermost().kind != opener) {
       fail(token.line, {},
            "\"" + std::string(token.text) + "\" does not close the bracket of line " +
-               std::to_string(levels_.back().line) + ": check the brackets between them");
+               std::to_string(brackets_.innermost().line) + ": check the brackets between them");
     }
-    if (levels_.back().isBody) prototypes_.closeBody();
-    levels_.pop_back();
+    if (brackets_.innermost().isBody) prototypes_.closeBody();
+    if (brackets_.innermost().node != TextNode::kNone) scan_.nodes[brackets_.innermost().node].lastLine = token.line;
+    brackets_.close();
     if (declaring_) checkDeclared(token.line);
     declaring_ = false;
   }
@@ -155,10 +168,16 @@ class Scanner {
     if (!fault.empty()) fail(line, keyword(), fault);
   }
 
+  void addUse(const SceneToken& token) {
+    const std::string_view field = brackets_.fieldBefore(word_ ? word_->text : std::string_view());
+    scan_.nodes.push_back(
+        {{}, {}, token.line, token.line, brackets_.node(), field, brackets_.isApart() || field.ends_with('=')});
+    if (names_.used()) checkUse(token, *names_.used());
+  }
+
   void checkUse(const SceneToken& token, std::size_t node) {
     if (word_ && word_->text.ends_with('=')) return;  // a field's connection, which Blinker has to itself
-    const auto isIt = [&](const Level& level) { return level.node == node; };
-    if (!keyword().ends_with("Script") && std::ranges::any_of(levels_, isIt)) {  // a Script only refers to it
+    if (!keyword().ends_with("Script") && brackets_.isWithin(node)) {  // a Script only refers to it
       fail(token.line, std::string(token.text), "stands inside itself (USE within its own DEF): remove this USE");
     }
   }
@@ -185,8 +204,8 @@ class Scanner {
   }
 
   void finish() {
-    if (!levels_.empty()) {
-      fail(levels_.back().line, keyword(), "the bracket that opens here is never closed: is the file cut off?");
+    if (!brackets_.empty()) {
+      fail(brackets_.innermost().line, keyword(), "the bracket that opens here is never closed: is the file cut off?");
     } else if (word_) {
       fail(word_->line, {},
            "\"" + std::string(word_->text.substr(0, 60)) + "\" is no node: a scene is made of Keyword { ... }");
@@ -195,8 +214,7 @@ class Scanner {
 
   /// Of the node that the scanner is in; empty at the top.
   std::string keyword() const {
-    const auto level = std::find_if(levels_.rbegin(), levels_.rend(), [](const Level& l) { return l.node != kNoNode; });
-    return level == levels_.rend() ? std::string() : scan_.nodes[level->node].keyword;
+    return brackets_.node() == TextNode::kNone ? std::string() : scan_.nodes[brackets_.node()].keyword;
   }
 
   void fail(int line, const std::string& node, const std::string& message) {
@@ -207,8 +225,9 @@ class Scanner {
   const std::string& file_;
   const bool vrml2_;
   SceneScan scan_;
-  std::vector<Level> levels_;
+  OpenBrackets brackets_;
   std::optional<SceneToken> word_;  ///< the word just before, which may turn out to be a keyword
+  std::string_view before_;         ///< and the one before that
   NodeNames names_;
   bool declaring_ = false;  ///< in `fields [ ... ]`
   std::vector<std::string> declared_;

@@ -64,7 +64,7 @@ TEST(Check, NamesTheLineOfANegativeStiffness) {
 }
 
 TEST(Check, MissesTheTool) {
-  const Json report = expectErrors("#Inventor V2.1 ascii\nSeparator {\n  Cube { }\n}\n", 0);
+  const Json report = expectErrors("#Inventor V2.1 ascii\nSeparator {\n  Cube { }\n}\n", 2);
   EXPECT_THAT(report["errors"].dump(), HasSubstr("HapticTool"));
 }
 

@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include "tests/app/commands/HaptivProgram.h"
 #include "tests/app/commands/TestFolder.h"
@@ -104,6 +105,22 @@ TEST(CommandLine, NamesAFileThatIsNotThere) {
     EXPECT_EQ(ended.code, 3) << arguments.front();
     EXPECT_THAT(ended.err, HasSubstr(missing));
     EXPECT_EQ(ended.out, "");
+  }
+}
+
+/// Opening one would wait for who writes to it.
+TEST(CommandLine, RefusesAPipeInThePlaceOfAFile) {
+  const TestFolder folder;
+  const std::string pipe = folder / "pipe.iv";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string scene = folder.write("wall.iv", wallScene());
+  const std::vector<std::vector<std::string>> commands = {
+      {"check", pipe}, {"run", pipe}, {"run", scene, "--hand", pipe}, {"replay", pipe, "--verify"},
+      {"info", pipe},  {pipe}};
+  for (const std::vector<std::string>& command : commands) {
+    const Ended ended = runHaptiv(command);
+    EXPECT_EQ(ended.code, 3) << command.front();
+    EXPECT_THAT(ended.err, HasSubstr(pipe + ": this is a pipe; name a file")) << command.front();
   }
 }
 

@@ -27,6 +27,15 @@ class Replay : public ::testing::Test {
     const Ended ended = runHaptiv({"run", scene, "--hand", hand, "--fast", "--log", log});
     ASSERT_EQ(ended.code, 0) << ended.err;
   }
+
+  /// Of the same hand in another scene.
+  std::string logOf(const std::string& name, const std::string& text) const {
+    const std::string other = folder / (name + ".h5");
+    const Ended ended =
+        runHaptiv({"run", folder.write(name, text), "--hand", folder / "push.csv", "--fast", "--log", other});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return other;
+  }
 };
 
 }  // namespace
@@ -155,6 +164,48 @@ TEST_F(Replay, RefusesToSetWhatThereIsNot) {
   }
   const Ended negative = runHaptiv({"replay", log, "--set", "stop.stiffness=-5"});
   EXPECT_EQ(negative.code, 1) << negative.err;
+}
+
+TEST_F(Replay, RefusesToSetWhatStaysAsLogged) {
+  const std::string named = logOf("named.iv", R"(#Inventor V2.1 ascii
+DEF Arm HapticDevice { }
+DEF Ball HapticTool { home 0.3 0 0 }
+)");
+  for (const char* asLogged : {"Arm.scale=2", "Ball.home=0 0 1"}) {
+    const Ended ended = runHaptiv({"replay", named, "--set", asLogged});
+    EXPECT_EQ(ended.code, 2) << asLogged;
+    EXPECT_THAT(ended.err, HasSubstr("are those of the log")) << asLogged;
+  }
+}
+
+TEST_F(Replay, SetsWhatPrototypesMake) {
+  const std::string made = logOf("made.wrl", R"(#VRML V2.0 utf8
+PROTO Block [ field SFVec3f size 1 1 1 field SFFloat k 2000 field SFString name "" ] {
+  Group { children [ HapticSurface { stiffness IS k label IS name } Shape { geometry Box { size IS size } } ] }
+}
+HapticTool { home 0.3 0 0 }
+Transform { translation 0.3 0.2 0 children [ Block { size 0.4 0.1 0.4 name "stop" } ] }
+Transform { translation 0.3 -0.2 0 children [ Block { size 0.4 0.1 0.4 k 1000 name "back" } ] }
+)");
+  const Json softer = runHaptiv({"replay", made, "--set", "stop.stiffness=1800", "--json"}).json();
+  EXPECT_GT(softer["changed"]["max_penetration_m"], softer["logged"]["max_penetration_m"]);
+  EXPECT_GT(softer["logged"]["max_penetration_m"], 0.0);
+  const Json other = runHaptiv({"replay", made, "--set", "back.stiffness=1800", "--json"}).json();
+  EXPECT_EQ(other["changed"], other["logged"]) << "all but what is set stays as it was";
+}
+
+TEST_F(Replay, SaysThatWhatTheSceneIncludesIsNotThere) {
+  folder.write("stop.iv",
+               "#Inventor V2.1 ascii\nTranslation { translation 0.3 0.2 0 } Cube { width 0.4 height 0.1 depth 0.4 }");
+  const std::string log = logOf("includes.iv", R"(#Inventor V2.1 ascii
+HapticTool { home 0.3 0 0 }
+HapticSurface { label "stop" }
+File { name "stop.iv" }
+)");
+  const Ended elsewhere = runHaptiv({"replay", log, "--set", "stop.stiffness=1800"});
+  EXPECT_EQ(elsewhere.code, 3);
+  EXPECT_THAT(elsewhere.err, HasSubstr("4: warning: File: \"stop.iv\" is not there"));
+  EXPECT_THAT(elsewhere.err, HasSubstr("run haptiv in the folder of the scene"));
 }
 
 }  // namespace haptiv

@@ -105,7 +105,7 @@ TEST(Solid, LeavesASceneAloneThatSaysWhatIsFelt) {
   const Ended ended = runHaptiv(
       {"run", folder.write("scene.iv", wallScene() + "HapticDevice { }"), "--solid", "--fast", "--seconds", "0.1"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr("--solid has nothing to add"));
+  EXPECT_THAT(ended.err, HasSubstr("Separator: --solid has nothing to add"));
 }
 
 }  // namespace

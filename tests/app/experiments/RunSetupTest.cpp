@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "device/control/ResolutionNames.h"
 #include "device/kinematics/Vishard10.h"
-#include "device/redundancy/ResolutionNames.h"
 
 namespace haptiv {
 namespace {

@@ -7,9 +7,9 @@
 #include "app/generate/MazeScene.h"
 #include "app/generate/ReliefScene.h"
 #include "app/generate/SceneText.h"
-#include "scenegraph/SceneCompiler.h"
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/compiling/SceneCompiler.h"
 #include "scenegraph/judging/SceneJudge.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 namespace {

@@ -8,7 +8,7 @@
 #include <QTemporaryDir>
 
 #include "app/view/picture/OffscreenPicture.h"
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 namespace {

@@ -7,7 +7,7 @@
 #include <QTest>
 #include <vector>
 
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/SceneFile.h"
 
 namespace haptiv {
 namespace {

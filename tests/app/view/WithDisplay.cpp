@@ -5,7 +5,7 @@
 #include <QMainWindow>
 
 #include "app/view/QtEnvironment.h"
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/SceneFile.h"
 
 /// Runs the tests within an application, as main does it. Listing the tests needs no display.
 int main(int argc, char** argv) {

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "scenegraph/SceneFile.h"
+#include "scenegraph/reading/SceneFile.h"
 
 /// Runs the tests as on a machine without any display.
 int main(int argc, char** argv) {

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/kinematics/ChainOfArm.h"
 #include "tests/support/Random.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/kinematics/ArmKinematics.h"
 #include "tests/support/Random.h"
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "device/control/ResolutionNames.h"
 #include "device/kinematics/ArmKinematics.h"
 #include "device/redundancy/RedundancyResolution.h"
-#include "device/redundancy/ResolutionNames.h"
 #include "tests/device/kinematics/Chains.h"
 #include "tests/support/Random.h"
 

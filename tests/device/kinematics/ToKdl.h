@@ -2,8 +2,8 @@
 
 #include <kdl/chain.hpp>
 
-#include "device/dynamics/ArmBodies.h"
-#include "device/kinematics/ChainGeometry.h"
+#include "device/described/ArmBodies.h"
+#include "device/described/ChainGeometry.h"
 
 /// Orocos KDL's view of an arm.
 namespace haptiv::test {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "tests/device/PaperArm.h"
 #include "tests/support/Random.h"
 

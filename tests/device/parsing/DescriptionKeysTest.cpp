@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 
 namespace haptiv {
 namespace {

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 
 namespace haptiv {
 

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "device/redundancy/ResolutionNames.h"
+#include "device/control/ResolutionNames.h"
 #include "device/simulated/ScriptedHand.h"
 #include "device/simulated/SimulatedDevice.h"
 #include "haptics/control/InverseKinematics.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 
 namespace haptiv::testing {
 

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <map>
 
+#include "scenegraph/writing/SceneWriter.h"
 #include "tests/scenegraph/SceneTesting.h"
 
 namespace haptiv {
@@ -171,7 +172,8 @@ TEST_F(NamedFiles, MayDefineExternalPrototypes) {
   ASSERT_TRUE(scene.root) << textOf(scene.diagnostics);
   EXPECT_EQ(trianglesOf(scene), 12);
   const SceneFile bad = read("#VRML V2.0 utf8\nEXTERNPROTO B [ ] \"../outside.iv\"\nB { }");
-  EXPECT_THAT(textOf(bad.diagnostics), HasSubstr("\"../outside.iv\" is outside of the scene's folder"));
+  EXPECT_THAT(textOf(bad.diagnostics),
+              HasSubstr(":2: error: EXTERNPROTO: \"../outside.iv\" is outside of the scene's"));
   EXPECT_FALSE(bad.root);
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scenegraph/writing/SceneSaver.h"
+#include "scenegraph/writing/SceneWriter.h"
 #include "tests/scenegraph/SceneTesting.h"
 
 namespace haptiv {
@@ -96,7 +98,7 @@ TEST(SceneSaver, WritesOutWhatPrototypesMake) {
     saveScene(scene.root.get(), folder.path() / "saved.iv");
     const SceneFile saved = readScene(folder.path() / "saved.iv");
     ASSERT_TRUE(saved.root) << textOf(saved.diagnostics);
-    EXPECT_FALSE(hasPrototypes(saved.root.get()));
+    EXPECT_FALSE(findPrototype(saved.root.get()));
     const CompiledScene before = SceneCompiler().compile(scene.root.get());
     const CompiledScene after = SceneCompiler().compile(saved.root.get());
     ASSERT_TRUE(before.scene && after.scene);
@@ -106,7 +108,7 @@ TEST(SceneSaver, WritesOutWhatPrototypesMake) {
       EXPECT_EQ(after.scene->walls[i].shape.axes, before.scene->walls[i].shape.axes);
     }
   }
-  EXPECT_TRUE(hasPrototypes(scene.root.get())) << "the scene that is open keeps them";
+  EXPECT_TRUE(findPrototype(scene.root.get())) << "the scene that is open keeps them";
 }
 
 TEST(SceneSaver, LeavesTheFileAsItWasWhenItCannotBeWritten) {

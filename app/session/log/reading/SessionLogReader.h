@@ -32,7 +32,6 @@ struct SessionLog::File {
   void expectFormat();
   void readHeader();
   void readEnd();
-  void readScenes();
   void readEvents();
   void openTicks();
   /// The columns of `group` that the file has; of an older format, not all of them.

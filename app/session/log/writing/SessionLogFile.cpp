@@ -9,13 +9,8 @@
 namespace haptiv {
 namespace {
 
-using hdf5::Cell;
-using hdf5::Table;
 using namespace log_layout;
 
-constexpr std::size_t kTextChunk = 16384;      // [bytes]
-constexpr std::size_t kIndexChunk = 64;        // [rows]
-constexpr std::size_t kEventChunk = 256;       // [rows]
 constexpr double kLongestChunk = 50000;        // [rows]
 constexpr std::uint64_t kReserve = 16u << 20;  // [bytes] left free, enough to close the file and for others to go on
 
@@ -31,71 +26,13 @@ SessionLogWriter::File::File(const std::filesystem::path& path, const SessionHea
     : path_(path),
       freeSpace_(std::move(freeSpace)),
       chunkRows_(chunkRowsFor(header.rate, path)),
-      waitingTicks_(groups_.size()) {
+      waitingTicks_(tables_.groups.size()) {
   if (freeSpace_(path_) < kReserve) hdf5::fail(path_, "the disk is nearly full", "Make room there, or log elsewhere");
   file_ = hdf5::createFile(path_);
-  createHead(header);
-  createTables();
+  writeHead(file_, path_, header);
+  tables_.create(file_, path_, chunkRows_);
   hdf5::startSwmr(file_, path_);
   hdf5::flushToDisk(file_, path_);
-}
-
-void SessionLogWriter::File::createHead(const SessionHeader& header) {
-  const hdf5::Attributes root(file_, path_, "/");
-  root.write("format", std::string_view(kFormat));
-  root.write("format_version", kFormatVersion);
-  root.write("software_version", header.softwareVersion);
-  root.write("git_hash", header.gitHash);
-  root.write("seed", header.seed);
-  root.write("rate_hz", header.rate);
-  root.write("start_utc", header.startUtc);
-  root.write("scheduling", header.scheduling);
-  root.write("fault", header.fault);
-  for (const char* group : {"/meta", "/meta/end", "/scenes", "/servo"}) hdf5::createGroup(file_, path_, group);
-  for (const auto& [name, text] : {std::pair(kDeviceText, &header.deviceText), std::pair(kSceneName, &header.sceneName),
-                                   std::pair(kSceneText, &header.sceneText)}) {
-    Table table = Table::create(file_, path_, name, Cell::uint8, 1, kTextChunk);
-    writeText(table, *text);
-  }
-}
-
-void SessionLogWriter::File::createTables() {
-  end_.push_back(Table::create(file_, path_, kComplete, Cell::int64, 1, 1));
-  end_.push_back(Table::create(file_, path_, kDropped, Cell::int64, 1, 1));
-  end_.push_back(Table::create(file_, path_, kReason, Cell::uint8, 1, kTextChunk));
-  scenes_.push_back(Table::create(file_, path_, kSceneIndex, Cell::int64, kIndexColumns, kIndexChunk));
-  scenes_.push_back(Table::create(file_, path_, kSceneTexts, Cell::uint8, 1, kTextChunk));
-  scenes_.push_back(Table::create(file_, path_, kSceneBytes, Cell::uint8, 1, kTextChunk));
-  createEvents();
-  for (const TickGroup& group : groups_) {
-    const std::string name = kServo + group.name;
-    tables_.push_back(Table::create(file_, path_, name, group.cell, group.columns.size(), chunkRows_));
-    std::vector<std::string> names, units;
-    for (const TickColumn& column : group.columns) {
-      names.push_back(column.name);
-      units.push_back(column.unit);
-    }
-    const hdf5::Attributes attributes(file_, path_, name);
-    attributes.write("columns", names);
-    attributes.write("unit", units);
-    attributes.write("frame", group.frame);
-  }
-}
-
-void SessionLogWriter::File::createEvents() {
-  events_.push_back(Table::create(file_, path_, kEvents, Cell::int64, kEventColumns, kEventChunk));
-  const hdf5::Attributes attributes(file_, path_, kEvents);
-  const auto names = [](SessionEvent::Kind kind, int count) {
-    std::vector<std::string> all;
-    for (int code = 0; code < count; ++code) all.push_back(nameOf(SessionEvent{0, 0, kind, code}));
-    return all;
-  };
-  using enum SessionEvent::Kind;
-  attributes.write("columns", std::vector<std::string>{"tick", "time_ns", "kind", "code"});
-  attributes.write("kinds", std::vector<std::string>{nameOf(state), nameOf(fault), nameOf(trip)});
-  attributes.write("states", names(state, kSessionStateCount));
-  attributes.write("faults", names(fault, kFaultCount));
-  attributes.write("trips", names(trip, kTripCount));
 }
 
 void SessionLogWriter::File::expectOpen() const {
@@ -121,12 +58,12 @@ void SessionLogWriter::File::add(const HapticScene& scene, const std::string& te
 }
 
 void SessionLogWriter::File::add(const TickRecord& tick) {
-  for (std::size_t i = 0; i < groups_.size(); ++i) {
+  for (std::size_t i = 0; i < tables_.groups.size(); ++i) {
     std::vector<std::byte>& rows = waitingTicks_[i];
-    const std::size_t cellSize = hdf5::sizeOf(groups_[i].cell);
-    rows.resize(rows.size() + groups_[i].rowSize());
-    std::byte* cell = rows.data() + rows.size() - groups_[i].rowSize();
-    for (const TickColumn& column : groups_[i].columns) {
+    const std::size_t cellSize = hdf5::sizeOf(tables_.groups[i].cell);
+    rows.resize(rows.size() + tables_.groups[i].rowSize());
+    std::byte* cell = rows.data() + rows.size() - tables_.groups[i].rowSize();
+    for (const TickColumn& column : tables_.groups[i].columns) {
       column.store(tick, cell);
       cell += cellSize;
     }
@@ -148,7 +85,7 @@ void SessionLogWriter::File::expectSpace() {
 }
 
 void SessionLogWriter::File::writeOut(bool all) {
-  const std::uint64_t written = tables_.front().rows();
+  const std::uint64_t written = tables_.ticks.front().rows();
   const std::uint64_t wholeChunks = (written + waitingRows_) / chunkRows_ * chunkRows_;
   const std::size_t rows = all ? waitingRows_ : wholeChunks > written ? wholeChunks - written : 0;
   if (rows == 0 && !all) return;
@@ -165,28 +102,24 @@ void SessionLogWriter::File::writeOut(bool all) {
   }
 }
 
-void SessionLogWriter::File::writeText(Table& table, std::string_view text) {
-  table.append(text.data(), text.size());
-}
-
 void SessionLogWriter::File::writeScenes() {
-  writeText(scenes_[1], waitingTexts_);
-  scenes_[2].append(waitingBytes_.data(), waitingBytes_.size());
-  scenes_[0].append(waitingIndex_.data(), waitingIndex_.size() / kIndexColumns);
+  writeText(tables_.scenes[1], waitingTexts_);
+  tables_.scenes[2].append(waitingBytes_.data(), waitingBytes_.size());
+  tables_.scenes[0].append(waitingIndex_.data(), waitingIndex_.size() / kIndexColumns);
   waitingTexts_.clear();
   waitingBytes_.clear();
   waitingIndex_.clear();
 }
 
 void SessionLogWriter::File::writeEvents() {
-  events_.front().append(waitingEvents_.data(), waitingEvents_.size() / kEventColumns);
+  tables_.events.front().append(waitingEvents_.data(), waitingEvents_.size() / kEventColumns);
   waitingEvents_.clear();
 }
 
 void SessionLogWriter::File::writeTicks(std::size_t rows) {
-  for (std::size_t i = 0; i < groups_.size(); ++i) {
-    tables_[i].append(waitingTicks_[i].data(), rows);
-    const auto done = static_cast<std::ptrdiff_t>(rows * groups_[i].rowSize());
+  for (std::size_t i = 0; i < tables_.groups.size(); ++i) {
+    tables_.ticks[i].append(waitingTicks_[i].data(), rows);
+    const auto done = static_cast<std::ptrdiff_t>(rows * tables_.groups[i].rowSize());
     waitingTicks_[i].erase(waitingTicks_[i].begin(), waitingTicks_[i].begin() + done);
   }
   waitingRows_ -= rows;
@@ -199,18 +132,15 @@ void SessionLogWriter::File::end(std::uint64_t dropped) {
 
 void SessionLogWriter::File::finish(bool complete, std::uint64_t dropped, std::string_view reason) {
   const std::int64_t completeCell = complete, droppedCell = static_cast<std::int64_t>(dropped);
-  end_[1].append(&droppedCell, 1);
-  writeText(end_[2], reason);
-  end_[0].append(&completeCell, 1);
+  tables_.end[1].append(&droppedCell, 1);
+  writeText(tables_.end[2], reason);
+  tables_.end[0].append(&completeCell, 1);
   hdf5::flushToDisk(file_, path_);
   close();
 }
 
 void SessionLogWriter::File::close() {
-  tables_.clear();
-  scenes_.clear();
-  events_.clear();
-  end_.clear();
+  tables_.close();
   file_.reset();
 }
 

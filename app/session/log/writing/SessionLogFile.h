@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "app/session/log/contents/SessionEvents.h"
-#include "app/session/log/contents/TickColumns.h"
-#include "app/session/log/hdf5/Hdf5Table.h"
+#include "app/session/log/writing/LogTables.h"
 #include "app/session/log/writing/SessionLogWriter.h"
 #include "haptics/bytes/SceneBytes.h"
 
@@ -29,15 +28,11 @@ struct SessionLogWriter::File {
   void expectOpen() const;
 
  private:
-  void createHead(const SessionHeader& header);
-  void createTables();
-  void createEvents();
   /// Throws, and ends the log, where the disk is too full for what is waiting.
   void expectSpace();
   void writeScenes();
   void writeTicks(std::size_t rows);
   void writeEvents();
-  void writeText(hdf5::Table& table, std::string_view text);
   /// Writes the end record and closes the file.
   void finish(bool complete, std::uint64_t dropped, std::string_view reason);
   /// HDF5 wants what is within a file closed before it.
@@ -47,11 +42,7 @@ struct SessionLogWriter::File {
   FreeSpace freeSpace_;
   std::size_t chunkRows_;
   hdf5::Handle file_;
-  std::vector<TickGroup> groups_ = tickGroups();
-  std::vector<hdf5::Table> tables_;  // one a group
-  std::vector<hdf5::Table> scenes_;  // index, texts, bytes
-  std::vector<hdf5::Table> end_;     // complete, dropped, reason
-  std::vector<hdf5::Table> events_;  // one
+  LogTables tables_;
   std::vector<std::vector<std::byte>> waitingTicks_;
   std::size_t waitingRows_ = 0;
   EventFinder findEvents_;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/CommandLine.h"
+#include "app/CommandLine.h"
 #include "tests/app/commands/TestFolder.h"
 #include "tests/device/usb/bench/BoardOnUsb.h"
 #include "tests/device/usb/falcon/BenchedFalcon.h"

@@ -52,5 +52,37 @@ TEST(DiagnosticsList, ShowsWhatIsDoubtfulWithItsLineAndSelectsIt) {
   EXPECT_EQ(item->kind, SceneItem::Kind::wall);
 }
 
+TEST(DiagnosticsList, SelectsTheFirstOfASceneThatIsMeantAsAWhole) {
+  EditedScene scene("#Inventor V2.1 ascii\n\nSeparator {\n HapticSurface { label \"wall\" }\n Cube { } }\n");
+  DiagnosticsList list(scene.document);
+  ASSERT_EQ(list.count(), 1);
+  EXPECT_THAT(list.item(0)->text().toStdString(), testing::StartsWith("Line 3: Separator: the scene has no tool"));
+  emit list.itemClicked(list.item(0));
+  letEventsRun();
+  const std::vector<SceneItem> items = scene.items();
+  const SceneItem* item = findItem(items, scene.document.selection());
+  ASSERT_TRUE(item);
+  EXPECT_EQ(item->name, "wall");
+}
+
+TEST(DiagnosticsList, KnowsTheLinesOfWhatHasBeenSaved) {
+  EditedScene scene(kTwoWalls);
+  DiagnosticsList list(scene.document);
+  ASSERT_TRUE(scene.select("left"));
+  editProperty(
+      scene.document, "stiffness", [](const SoField& f) { return FieldValue(f, "9e6"); }, Reach::onlyThis);
+  scene.document.save(scene.pathOf("saved.iv"));
+  letEventsRun();
+  SceneDocument reopened;
+  ASSERT_TRUE(reopened.open(scene.pathOf("saved.iv")));
+  ASSERT_GT(list.count(), 0);
+  ASSERT_EQ(reopened.diagnostics().size(), static_cast<std::size_t>(list.count()));
+  for (int i = 0; i < list.count(); ++i) {
+    const Diagnostic& again = reopened.diagnostics()[static_cast<std::size_t>(i)];
+    EXPECT_GT(again.line, 0);
+    EXPECT_EQ(list.item(i)->toolTip().toStdString(), toText(again));
+  }
+}
+
 }  // namespace
 }  // namespace haptiv

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "device/DeviceDescription.h"
+#include "device/described/DeviceDescription.h"
 #include "device/simulated/SimulatedArm.h"
 #include "device/usb/falcon/FalconPackets.h"
 
