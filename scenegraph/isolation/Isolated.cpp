@@ -143,6 +143,12 @@ void tellProgress(std::string_view doing, int line) {
   note->line = line;
 }
 
+void allowTime(std::chrono::seconds time) {
+  rusage used{};
+  if (!note || ::getrusage(RUSAGE_SELF, &used) != 0) return;
+  limit(RLIMIT_CPU, static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 1 + time.count()));
+}
+
 Isolated runIsolated(const std::function<std::string()>& work, std::chrono::seconds time) {
   if (note) return {work(), {}, 0};  // isolated already
   Shared shared;

@@ -22,6 +22,10 @@ Isolated runIsolated(const std::function<std::string()>& work, std::chrono::seco
 /// Within the work: what is being done, for the fault. Elsewhere: nothing. Cheap.
 void tellProgress(std::string_view doing, int line = 0);
 
+/// Within the work: what follows may take this time of a processor, in place of what is left of the time for the whole,
+/// which is kept by the clock alone then. Elsewhere: nothing.
+void allowTime(std::chrono::seconds time);
+
 /// While it lives, the child may open files.
 class FilesAllowed {
  public:

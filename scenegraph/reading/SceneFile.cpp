@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scenegraph/nodes/HapticNodes.h"
+#include "scenegraph/nurbs/TrimmableNurbs.h"
 #include "scenegraph/reading/SceneReader.h"
 #include "scenegraph/reading/coin/NurbsContext.h"
 #include "scenegraph/reading/coin/SceneCameras.h"
@@ -74,6 +75,7 @@ void initSceneGraph() {
   initHapticNodes();
   quietSceneCameras();
   cutNurbsWithoutDisplay();
+  makeNurbsTrimmable();
 }
 
 SceneFile readScene(const fs::path& path, const DecodePicture& decode) {

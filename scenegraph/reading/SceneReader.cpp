@@ -9,6 +9,7 @@
 #include "scenegraph/GraphWalk.h"
 #include "scenegraph/Keyword.h"
 #include "scenegraph/isolation/Isolated.h"
+#include "scenegraph/nurbs/CutTrimmedNurbs.h"
 #include "scenegraph/reading/ExternalPrototypes.h"
 #include "scenegraph/reading/coin/Rehearsal.h"
 #include "scenegraph/reading/files/NamedFiles.h"
@@ -16,7 +17,6 @@
 #include "scenegraph/reading/files/ScenePath.h"
 #include "scenegraph/reading/graph/GraphExpansion.h"
 #include "scenegraph/reading/graph/NodeLines.h"
-#include "scenegraph/reading/graph/NurbsRules.h"
 #include "scenegraph/reading/graph/NurbsSwitch.h"
 #include "scenegraph/reading/graph/ShapeIndices.h"
 #include "scenegraph/reading/text/Header.h"
@@ -160,18 +160,21 @@ NodeRef<SoSeparator> SceneReader::include(SceneFile& scene, const fs::path& path
 }
 
 void SceneReader::judge(SceneFile& scene) {
-  Diagnostics left;
-  for (const SoNode* shape : switchOffNurbs(scene.root.get())) {
-    const std::string why =
-        isEmptyNurbs(shape) ? "is neither shown nor felt, for it has no control points: give it some, or remove it"
-                            : "is neither shown nor felt, as NURBS are not in a scene with profiles, which trim them: "
-                              "convert it to triangles";
-    left.push_back({Severity::warning, {}, 0, describe(shape), why, shape});
-  }
-  addLocated(scene, std::move(left));
+  const auto tellLeftOut = [&scene](const std::vector<const SoNode*>& shapes, const std::string& why) {
+    Diagnostics left;
+    for (const SoNode* shape : shapes)
+      left.push_back({Severity::warning, {}, 0, describe(shape), "is neither shown nor felt" + why, shape});
+    addLocated(scene, std::move(left));
+  };
+  tellLeftOut(switchOffEmptyNurbs(scene.root.get()), ", for it has no control points: give it some, or remove it");
   const auto [why, node] = expansionFault(scene.root.get());
   if (!why.empty()) return addLocated(scene, {{Severity::error, {}, 0, describe(node), why, node}});
   addLocated(scene, shapeIndexFaults(scene.root.get()));
+  if (hasErrors(scene.diagnostics)) return;
+  tellLeftOut(
+      cutTrimmedNurbs(scene.root.get()),
+      " where profiles trim it, for in its time GLU cuts no triangles of it: correct its profiles, or convert it "
+      "to triangles");
 }
 
 std::string SceneReader::prototypeText(const std::string& url) {

@@ -42,7 +42,7 @@ MeshSource MeshSource::of(const SoNode* shape, const SoCallbackAction& action) {
     return source;
   source.font = action.getFontName();
   source.fontSize = action.getFontSize();
-  if (shape->isOfType(SoText3::getClassTypeId())) {
+  if (isNurbs || shape->isOfType(SoText3::getClassTypeId())) {
     source.nodes.push_back(SoProfileCoordinateElement::getInstance(state)->getNodeId());
     const SoNodeList& profiles = action.getProfile();
     for (int i = 0; i < profiles.getLength(); ++i) source.nodes.push_back(profiles[i]->getNodeId());

@@ -23,7 +23,7 @@ struct MeshSource {
 
   SbMatrix toW;                   ///< from the shape's coordinates, Coin's way (row vectors)
   bool isClockwise = false;       ///< corners come clockwise, seen from outside
-  std::vector<SbUniqueId> nodes;  ///< the shape, its coordinates, and a text's profiles
+  std::vector<SbUniqueId> nodes;  ///< the shape, its coordinates, and the profiles of texts and NURBS
   SbName font;
   float fontSize = 0;
   float complexity = 0;

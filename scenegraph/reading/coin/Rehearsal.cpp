@@ -92,7 +92,7 @@ Isolated rehearse(const std::string& text) {
     const CoinMessages silence{std::string()};
     const auto root = read(text);
     if (!root) return std::string();
-    switchOffNurbs(root.get());
+    switchOffEmptyNurbs(root.get());
     if (expansionFault(root.get()).why.empty() && !hasErrors(shapeIndexFaults(root.get()))) goThrough(root.get());
     return std::string();
   });

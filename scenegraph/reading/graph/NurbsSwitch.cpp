@@ -4,10 +4,8 @@
 #include <Inventor/fields/SoSFNode.h>
 #include <Inventor/lists/SoFieldList.h>
 #include <Inventor/nodes/SoGroup.h>
-#include <Inventor/nodes/SoProfile.h>
 #include <Inventor/nodes/SoSwitch.h>
 
-#include <algorithm>
 #include <unordered_set>
 
 #include "scenegraph/GraphWalk.h"
@@ -44,13 +42,11 @@ void clearFields(SoNode* node, const Shapes& shapes) {
 
 }  // namespace
 
-std::vector<const SoNode*> switchOffNurbs(SoNode* root) {
+std::vector<const SoNode*> switchOffEmptyNurbs(SoNode* root) {
   std::vector<const SoNode*> shapes;
   const std::vector<SoNode*> nodes = writtenNodes(root);
-  const bool mayBeTrimmed =
-      std::ranges::any_of(nodes, [](const SoNode* node) { return node->isOfType(SoProfile::getClassTypeId()); });
   for (SoNode* node : nodes) {
-    if (isEmptyNurbs(node) || (mayBeTrimmed && isNurbs(node))) shapes.push_back(node);
+    if (isEmptyNurbs(node)) shapes.push_back(node);
   }
   if (shapes.empty()) return shapes;
   const Shapes off(shapes.begin(), shapes.end());

@@ -53,6 +53,18 @@ TEST(Isolated, EndsWhatDoesNotEnd) {
   EXPECT_THAT(ended.fault, HasSubstr("takes longer than 1 s while it counts"));
 }
 
+TEST(Isolated, EndsAPartThatTakesLongerThanItMay) {
+  const Isolated ended = runIsolated([] {
+    tellProgress("cuts", 3);
+    allowTime(std::chrono::seconds(1));
+    for (volatile bool goesOn = true; goesOn;) {
+    }
+    return std::string();
+  });
+  EXPECT_THAT(ended.fault, HasSubstr("takes longer than"));
+  EXPECT_EQ(ended.line, 3);
+}
+
 TEST(Isolated, OpensNoFile) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizers need files of their own";
