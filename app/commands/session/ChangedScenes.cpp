@@ -8,6 +8,7 @@
 
 #include "app/commands/ExitCode.h"
 #include "app/commands/scene/LoadedScene.h"
+#include "scenegraph/CoinMessages.h"
 #include "scenegraph/nodes/SoHapticDevice.h"
 #include "scenegraph/nodes/SoHapticTool.h"
 
@@ -45,8 +46,10 @@ bool apply(SoNode* root, const PropertyChange& change) {
     if (!field) continue;
     if (isAsLogged(node, change.field))
       throw CommandFailure(kWrongUsage, what + "arm and start are those of the log; run the changed scene instead");
-    field->disconnect();  // from a prototype's field (IS), whose value would come back
-    if (!field->set(change.value.c_str())) throw CommandFailure(kWrongUsage, what + "this is no value of that field");
+    field->disconnect();                     // from a prototype's field (IS), whose value would come back
+    const CoinMessages said{std::string()};  // of a number that it replaces by 0, too
+    if (!field->set(change.value.c_str()) || !said.diagnostics().empty())
+      throw CommandFailure(kWrongUsage, what + "this is no value of that field");
     applied = true;
   }
   if (!nodes.empty() && !applied)
@@ -58,7 +61,7 @@ bool apply(SoNode* root, const PropertyChange& change) {
 std::shared_ptr<const HapticScene> compile(const SceneFile& file) {
   Diagnostics diagnostics = file.diagnostics;
   CompiledScene compiled;
-  if (file.root) {
+  if (file.root && !hasErrors(diagnostics)) {  // Coin reads beyond memory where indices are wrong
     compiled = SceneCompiler().compile(file);
     diagnostics.insert(diagnostics.end(), compiled.diagnostics.begin(), compiled.diagnostics.end());
   }

@@ -156,7 +156,7 @@ TEST_F(Replay, InASofterWallTheSameHandGoesDeeper) {
 
 TEST_F(Replay, RefusesToSetWhatThereIsNot) {
   for (const char* wrong : {"stop", "stop.stiffness", "=5", ".stiffness=5", "stop.=5", "nobody.stiffness=5",
-                            "stop.colour=5", "stop.stiffness=hard"}) {
+                            "stop.colour=5", "stop.stiffness=hard", "stop.stiffness=1e300"}) {
     const Ended ended = runHaptiv({"replay", log, "--set", wrong});
     EXPECT_EQ(ended.code, 2) << wrong;
     EXPECT_THAT(ended.err, HasSubstr("--set")) << wrong;
@@ -204,6 +204,21 @@ TEST_F(Replay, SetsWhatTheSceneIncludes) {
   const Json softer = runHaptiv({"replay", includes, "--set", "stop.stiffness=1800", "--json"}).json();
   EXPECT_GT(softer["changed"]["max_penetration_m"], softer["logged"]["max_penetration_m"]);
   EXPECT_GT(softer["logged"]["max_penetration_m"], 0.0);
+}
+
+/// Coin would read beyond its memory.
+TEST_F(Replay, JudgesWhatIsSetAsAFileIsJudged) {
+  const std::string faces = logOf("faces.iv", R"(#Inventor V2.1 ascii
+HapticTool { home 0.3 0 0 }
+HapticSurface { }
+DEF Corners Coordinate3 { point [ 0 0.1 0, 1 0.1 0, 1 0.1 1 ] }
+DEF Face IndexedFaceSet { coordIndex [ 0 1 2 -1 ] }
+)");
+  for (const char* wrong : {"Face.coordIndex=[ 0 1 100000000 -1 ]", "Corners.point=[ 0 0 0 ]"}) {
+    const Ended ended = runHaptiv({"replay", faces, "--set", wrong});
+    EXPECT_EQ(ended.code, 1) << wrong;
+    EXPECT_THAT(ended.err, HasSubstr(":5: error: IndexedFaceSet \"Face\": reaches for coordinate")) << wrong;
+  }
 }
 
 }  // namespace haptiv
