@@ -2,12 +2,12 @@
 
 #include <Inventor/SbName.h>
 
-#include <algorithm>
 #include <optional>
 
 #include "scenegraph/reading/text/DeclaredFields.h"
 #include "scenegraph/reading/text/ImageSize.h"
 #include "scenegraph/reading/text/NodeNames.h"
+#include "scenegraph/reading/text/OpenBrackets.h"
 #include "scenegraph/reading/text/PlainNodes.h"
 #include "scenegraph/reading/text/Prototypes.h"
 #include "scenegraph/reading/text/SceneTokenizer.h"
@@ -19,9 +19,8 @@ using Kind = SceneToken::Kind;
 
 constexpr std::size_t kDeepestText = 1000;   // Coin reads recursively; its stack ends near 11,600
 constexpr std::size_t kMaxDiagnostics = 50;  // a broken file need not be quoted in full
-constexpr std::size_t kNoNode = TextNode::kNone;
 
-/// One pass over the tokens; `levels_` holds the brackets that are open.
+/// One pass over the tokens.
 class Scanner {
  public:
   Scanner(std::string_view text, const std::string& file)
@@ -39,12 +38,12 @@ class Scanner {
         scan_.isPlain = false;
         return std::move(scan_);
       }
-      if (levels_.empty() && endsScene(token)) {
+      if (brackets_.empty() && endsScene(token)) {
         takeEnd(token);
         return std::move(scan_);
       }
       take(token);
-      if (levels_.size() > kDeepestText) {
+      if (brackets_.count() > kDeepestText) {
         fail(token.line, {}, "nested deeper than 1000 levels: make the scene flatter");
         return std::move(scan_);
       }
@@ -54,15 +53,6 @@ class Scanner {
   }
 
  private:
-  struct Level {
-    Kind kind = Kind::open;
-    int line = 0;
-    std::size_t node = kNoNode;  ///< index into scan_.nodes
-    bool isBody = false;         ///< of a prototype
-    bool isApart = false;        ///< what stands in it is no part of the scene where it stands
-    std::string_view field;      ///< the word before a list
-  };
-
   void take(const SceneToken& token) {
     switch (token.kind) {
       case Kind::word:
@@ -103,7 +93,8 @@ class Scanner {
     if (prototypes_.isNamed()) {
       scan_.nodes.back().name = token.text;
     } else {
-      scan_.nodes.push_back({std::string(token.text), {}, token.line, token.line, enclosing(), {}, isApart()});
+      scan_.nodes.push_back(
+          {std::string(token.text), {}, token.line, token.line, brackets_.node(), {}, brackets_.isApart()});
     }
   }
 
@@ -121,34 +112,35 @@ class Scanner {
     if (declaring_) declared_.push_back(std::string(token.text));
     if (token.kind == Kind::string) {
       word_.reset();
-      prototypes_.takeString(levels_.size());
+      prototypes_.takeString(brackets_.count());
     }
   }
 
   void open(const SceneToken& token) {
-    Level level{token.kind, token.line, kNoNode, false, prototypes_.isOpen() || isApart(), {}};
+    OpenBrackets::Bracket bracket{.kind = token.kind, .line = token.line};
+    bracket.isApart = prototypes_.isOpen() || brackets_.isApart();
     if (token.kind == Kind::open) {
-      level.isBody = prototypes_.opensBody(levels_.size());
-      if (word_ && !level.isBody) {
-        level.node = addNode(*word_);
-        level.isApart = scan_.nodes[level.node].isApart;
+      bracket.isBody = prototypes_.opensBody(brackets_.count());
+      if (word_ && !bracket.isBody) {
+        bracket.node = addNode(*word_);
+        bracket.isApart = scan_.nodes[bracket.node].isApart;
       }
     } else {
-      if (word_) level.field = word_->text;
-      prototypes_.openList(levels_.size());
+      if (word_) bracket.field = word_->text;
+      prototypes_.openList(brackets_.count());
       declaring_ = word_ && (word_->text == "fields" || word_->text == "inputs") && !keyword().empty();
       declared_.clear();
     }
     word_.reset();
-    levels_.push_back(level);
+    brackets_.open(bracket);
   }
 
   std::size_t addNode(const SceneToken& keyword) {
     const std::size_t index = scan_.nodes.size();
-    const std::string_view field = fieldBefore(before_);
-    const bool apart = isApart() || field.ends_with('=');
+    const std::string_view field = brackets_.fieldBefore(before_);
+    const bool apart = brackets_.isApart() || field.ends_with('=');
     scan_.nodes.push_back(
-        {std::string(keyword.text), names_.begin(index), keyword.line, keyword.line, enclosing(), field, apart});
+        {std::string(keyword.text), names_.begin(index), keyword.line, keyword.line, brackets_.node(), field, apart});
     if (!isPlainNode(keyword.text) || names_.areVeryMany()) scan_.isPlain = false;
     const std::string fault = prototypes_.add(keyword.text);
     if (!fault.empty()) fail(keyword.line, std::string(keyword.text), fault);
@@ -157,16 +149,16 @@ class Scanner {
 
   void close(const SceneToken& token) {
     word_.reset();
-    if (levels_.empty()) return fail(token.line, {}, "\"" + std::string(token.text) + "\" closes nothing: remove it");
+    if (brackets_.empty()) return fail(token.line, {}, "\"" + std::string(token.text) + "\" closes nothing: remove it");
     const Kind opener = token.kind == Kind::close ? Kind::open : Kind::openList;
-    if (levels_.back().kind != opener) {
+    if (brackets_.innermost().kind != opener) {
       fail(token.line, {},
            "\"" + std::string(token.text) + "\" does not close the bracket of line " +
-               std::to_string(levels_.back().line) + ": check the brackets between them");
+               std::to_string(brackets_.innermost().line) + ": check the brackets between them");
     }
-    if (levels_.back().isBody) prototypes_.closeBody();
-    if (levels_.back().node != kNoNode) scan_.nodes[levels_.back().node].lastLine = token.line;
-    levels_.pop_back();
+    if (brackets_.innermost().isBody) prototypes_.closeBody();
+    if (brackets_.innermost().node != TextNode::kNone) scan_.nodes[brackets_.innermost().node].lastLine = token.line;
+    brackets_.close();
     if (declaring_) checkDeclared(token.line);
     declaring_ = false;
   }
@@ -177,15 +169,15 @@ class Scanner {
   }
 
   void addUse(const SceneToken& token) {
-    const std::string_view field = fieldBefore(word_ ? word_->text : std::string_view());
-    scan_.nodes.push_back({{}, {}, token.line, token.line, enclosing(), field, isApart() || field.ends_with('=')});
+    const std::string_view field = brackets_.fieldBefore(word_ ? word_->text : std::string_view());
+    scan_.nodes.push_back(
+        {{}, {}, token.line, token.line, brackets_.node(), field, brackets_.isApart() || field.ends_with('=')});
     if (names_.used()) checkUse(token, *names_.used());
   }
 
   void checkUse(const SceneToken& token, std::size_t node) {
     if (word_ && word_->text.ends_with('=')) return;  // a field's connection, which Blinker has to itself
-    const auto isIt = [&](const Level& level) { return level.node == node; };
-    if (!keyword().ends_with("Script") && std::ranges::any_of(levels_, isIt)) {  // a Script only refers to it
+    if (!keyword().ends_with("Script") && brackets_.isWithin(node)) {  // a Script only refers to it
       fail(token.line, std::string(token.text), "stands inside itself (USE within its own DEF): remove this USE");
     }
   }
@@ -212,29 +204,17 @@ class Scanner {
   }
 
   void finish() {
-    if (!levels_.empty()) {
-      fail(levels_.back().line, keyword(), "the bracket that opens here is never closed: is the file cut off?");
+    if (!brackets_.empty()) {
+      fail(brackets_.innermost().line, keyword(), "the bracket that opens here is never closed: is the file cut off?");
     } else if (word_) {
       fail(word_->line, {},
            "\"" + std::string(word_->text.substr(0, 60)) + "\" is no node: a scene is made of Keyword { ... }");
     }
   }
 
-  /// The node that the scanner is in.
-  std::size_t enclosing() const {
-    const auto level = std::find_if(levels_.rbegin(), levels_.rend(), [](const Level& l) { return l.node != kNoNode; });
-    return level == levels_.rend() ? kNoNode : level->node;
-  }
-
-  /// Its keyword; empty at the top.
-  std::string keyword() const { return enclosing() == kNoNode ? std::string() : scan_.nodes[enclosing()].keyword; }
-
-  bool isApart() const { return !levels_.empty() && levels_.back().isApart; }
-
-  /// Which field a node stands in, by the word before it: in a list, that of the list.
-  std::string_view fieldBefore(std::string_view word) const {
-    const bool isInList = !levels_.empty() && levels_.back().kind == Kind::openList;
-    return isInList ? levels_.back().field : word;
+  /// Of the node that the scanner is in; empty at the top.
+  std::string keyword() const {
+    return brackets_.node() == TextNode::kNone ? std::string() : scan_.nodes[brackets_.node()].keyword;
   }
 
   void fail(int line, const std::string& node, const std::string& message) {
@@ -245,7 +225,7 @@ class Scanner {
   const std::string& file_;
   const bool vrml2_;
   SceneScan scan_;
-  std::vector<Level> levels_;
+  OpenBrackets brackets_;
   std::optional<SceneToken> word_;  ///< the word just before, which may turn out to be a keyword
   std::string_view before_;         ///< and the one before that
   NodeNames names_;

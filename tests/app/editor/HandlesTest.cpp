@@ -71,6 +71,13 @@ const Shape& wall(const EditedScene& scene, std::size_t i) {
 
 constexpr double kSingle = 1e-6;  // single precision at these lengths
 
+/// Takes hold of the wall around (-0.1, 0.02) and moves it by 33 mm and 34 mm.
+void dragAcross(EditedScene& scene) {
+  MouseFromAbove mouse(scene);
+  mouse.drag(-0.096, 0.023, -0.063, 0.057);
+  letEventsRun();
+}
+
 TEST(Handles, ComeWithTheSelectionAndGoWithIt) {
   EditedScene scene(kTwoWalls);
   Handles handles(scene.document);
@@ -107,9 +114,7 @@ TEST(Handles, MoveAWallOnTheGridInOneUndoStep) {
   Handles handles(scene.document);
   const std::string original = scene.document.text();
   ASSERT_TRUE(scene.select("left"));
-  MouseFromAbove mouse(scene);
-  mouse.drag(-0.096, 0.023, -0.063, 0.057);
-  letEventsRun();
+  dragAcross(scene);
   EXPECT_EQ(scene.document.undoStack().count(), 1);
   // moved by 33 mm and 34 mm: three steps of the grid
   EXPECT_TRUE(wall(scene, 0).centre.isApprox(Vector3(-0.07, 0.03, 0), kSingle)) << wall(scene, 0).centre.transpose();
@@ -187,9 +192,7 @@ TEST(Handles, MoveFreelyWhenTheGridIsOff) {
   Handles handles(scene.document);
   handles.setSnapping(false);
   ASSERT_TRUE(scene.select("left"));
-  MouseFromAbove mouse(scene);
-  mouse.drag(-0.096, 0.023, -0.063, 0.057);
-  letEventsRun();
+  dragAcross(scene);
   // the dragger takes whole pixels of a millimetre
   EXPECT_TRUE(wall(scene, 0).centre.isApprox(Vector3(-0.067, 0.034, 0), 0.02)) << wall(scene, 0).centre.transpose();
 }
@@ -199,9 +202,7 @@ TEST(Handles, WrapABareShapeWhenItIsDragged) {
   Handles handles(scene.document);
   const std::string original = scene.document.text();
   ASSERT_TRUE(scene.select("maze (2)"));
-  MouseFromAbove mouse(scene);
-  mouse.drag(-0.096, 0.023, -0.063, 0.057);
-  letEventsRun();
+  dragAcross(scene);
   EXPECT_EQ(scene.document.undoStack().count(), 1);
   EXPECT_TRUE(wall(scene, 1).centre.isApprox(Vector3(-0.07, 0.03, 0), kSingle)) << wall(scene, 1).centre.transpose();
   EXPECT_TRUE(wall(scene, 2).centre.isApprox(Vector3(-0.1, 0.2, 0), kSingle));
