@@ -9,6 +9,7 @@
 #include "scenegraph/nodes/HapticNodes.h"
 #include "scenegraph/nurbs/TrimmableNurbs.h"
 #include "scenegraph/reading/SceneReader.h"
+#include "scenegraph/reading/coin/FinestLevels.h"
 #include "scenegraph/reading/coin/NurbsContext.h"
 #include "scenegraph/reading/coin/SceneCameras.h"
 #include "scenegraph/reading/files/SceneBytes.h"
@@ -74,6 +75,7 @@ void initSceneGraph() {
   silenceFileNodes();
   initHapticNodes();
   quietSceneCameras();
+  showFinestLevels();
   cutNurbsWithoutDisplay();
   makeNurbsTrimmable();
 }

@@ -9,11 +9,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "scenegraph/GraphWalk.h"
-#include "scenegraph/isolation/Isolated.h"
-#include "scenegraph/reading/SceneFile.h"
-#include "scenegraph/writing/SceneWriter.h"
-#include "scenegraph/writing/WriteOutPrototypes.h"
+#include "scenegraph/writing/LastingText.h"
 
 namespace haptiv {
 namespace {
@@ -80,28 +76,7 @@ class ReplacingFile {
   bool done_ = false;
 };
 
-/// The scene without prototypes, made in a process of its own, where Coin may crash on what a stranger wrote, and
-/// compared with what it was.
-std::string writtenOut(SoSeparator* root, const std::string& name) {
-  const auto refuse = [&](const std::string& why) {
-    throw std::runtime_error(name + ": cannot be saved: its prototypes (PROTO) cannot be written out: " + why +
-                             "; the file is as it was");
-  };
-  Isolated made = runIsolated([root] {
-    writeOutPrototypes(root);
-    return writeSceneText(root);
-  });
-  if (!made.fault.empty()) refuse(made.fault);
-  const SceneFile again = readSceneText(made.result, name);
-  if (!again.root || drawnTriangles(again.root.get()) != drawnTriangles(root)) refuse("the scene would be another one");
-  return std::move(made.result);
-}
-
 }  // namespace
-
-std::string lastingText(SoSeparator* root, const std::string& name) {
-  return findPrototype(root) ? writtenOut(root, name) : writeSceneText(root);
-}
 
 std::string saveScene(SoSeparator* root, const fs::path& path) {
   std::string text = lastingText(root, path.string());

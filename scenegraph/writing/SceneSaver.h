@@ -8,10 +8,6 @@ class SoSeparator;
 
 namespace haptiv {
 
-/// The graph as text that can be read and written any number of times: what prototypes make is written out. Throws
-/// std::runtime_error where that cannot be done. @param name  stands for the path
-std::string lastingText(SoSeparator* root, const std::string& name);
-
 /// Writes the graph to a file: wholly or not at all. Returns the text. Throws std::runtime_error that says why.
 std::string saveScene(SoSeparator* root, const std::filesystem::path& path);
 /// The same of any text.

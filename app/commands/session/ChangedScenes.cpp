@@ -8,6 +8,8 @@
 
 #include "app/commands/ExitCode.h"
 #include "app/commands/scene/LoadedScene.h"
+#include "app/commands/session/SceneDifference.h"
+#include "scenegraph/CoinMessages.h"
 #include "scenegraph/nodes/SoHapticDevice.h"
 #include "scenegraph/nodes/SoHapticTool.h"
 
@@ -45,8 +47,10 @@ bool apply(SoNode* root, const PropertyChange& change) {
     if (!field) continue;
     if (isAsLogged(node, change.field))
       throw CommandFailure(kWrongUsage, what + "arm and start are those of the log; run the changed scene instead");
-    field->disconnect();  // from a prototype's field (IS), whose value would come back
-    if (!field->set(change.value.c_str())) throw CommandFailure(kWrongUsage, what + "this is no value of that field");
+    field->disconnect();                     // from a prototype's field (IS), whose value would come back
+    const CoinMessages said{std::string()};  // of a number that it replaces by 0, too
+    if (!field->set(change.value.c_str()) || !said.diagnostics().empty())
+      throw CommandFailure(kWrongUsage, what + "this is no value of that field");
     applied = true;
   }
   if (!nodes.empty() && !applied)
@@ -58,7 +62,7 @@ bool apply(SoNode* root, const PropertyChange& change) {
 std::shared_ptr<const HapticScene> compile(const SceneFile& file) {
   Diagnostics diagnostics = file.diagnostics;
   CompiledScene compiled;
-  if (file.root) {
+  if (file.root && !hasErrors(diagnostics)) {  // Coin reads beyond memory where indices are wrong
     compiled = SceneCompiler().compile(file);
     diagnostics.insert(diagnostics.end(), compiled.diagnostics.begin(), compiled.diagnostics.end());
   }
@@ -80,51 +84,6 @@ void requireIncluded(const SceneFile& file, const HapticScene& read, const Hapti
   throw CommandFailure(kCouldNot,
                        "--set: what the logged scene includes is not found from here; run haptiv in the folder "
                        "of the scene, which haptiv info names");
-}
-
-/// Carries what differs between `before` and `after` over to `to`.
-template <typename T>
-void carry(T& to, const T& before, const T& after) {
-  if (before != after) to = after;
-}
-
-bool isSame(const TriangleMesh* a, const TriangleMesh* b) {
-  return a == b || (a && b && a->vertices == b->vertices && a->triangles == b->triangles);
-}
-
-void carry(Shape& to, const Shape& before, const Shape& after) {
-  if (!isSame(before.mesh.get(), after.mesh.get())) to.mesh = after.mesh;
-  carry(to.kind, before.kind, after.kind);
-  carry(to.centre, before.centre, after.centre);
-  carry(to.axes, before.axes, after.axes);
-}
-
-void carry(Wall& to, const Wall& before, const Wall& after) {
-  carry(to.shape, before.shape, after.shape);
-  carry(to.surface.stiffness, before.surface.stiffness, after.surface.stiffness);
-  carry(to.surface.damping, before.surface.damping, after.surface.damping);
-  carry(to.surface.hysteresis, before.surface.hysteresis, after.surface.hysteresis);
-  carry(to.surface.staticFriction, before.surface.staticFriction, after.surface.staticFriction);
-  carry(to.surface.dynamicFriction, before.surface.dynamicFriction, after.surface.dynamicFriction);
-}
-
-void carry(Zone& to, const Zone& before, const Zone& after) {
-  carry(to.kind, before.kind, after.kind);
-  carry(to.shape, before.shape, after.shape);
-  carry(to.damping, before.damping, after.damping);
-  carry(to.stiffness, before.stiffness, after.stiffness);
-  carry(to.restLength, before.restLength, after.restLength);
-  carry(to.anchor, before.anchor, after.anchor);
-}
-
-// All shapes are taken anew where their number is another: one was switched on or off.
-template <typename T>
-void carry(std::vector<T>& to, const std::vector<T>& before, const std::vector<T>& after) {
-  if (to.size() != before.size() || before.size() != after.size()) {
-    to = after;
-    return;
-  }
-  for (std::size_t i = 0; i < to.size(); ++i) carry(to[i], before[i], after[i]);
 }
 
 }  // namespace
@@ -149,12 +108,7 @@ std::vector<LoggedScene> withChanges(const std::vector<LoggedScene>& scenes,
       if (apply(file.root.get(), changes[i])) used[i] = true;
     judgeAgain(file);
     const auto after = compile(file);
-    carry(each.scene.tool.mass, before->tool.mass, after->tool.mass);
-    carry(each.scene.tool.damping, before->tool.damping, after->tool.damping);
-    carry(each.scene.tool.radius, before->tool.radius, after->tool.radius);
-    carry(each.scene.walls, before->walls, after->walls);
-    carry(each.scene.zones, before->zones, after->zones);
-    computeBounds(each.scene);
+    carryDifference(each.scene, *before, *after);
   }
   for (std::size_t i = 0; i < changes.size(); ++i)
     if (!used[i])

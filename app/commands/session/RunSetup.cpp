@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
 
 #include "app/commands/ExitCode.h"
 #include "app/commands/NamedFile.h"
@@ -14,6 +15,7 @@
 #include "app/session/recording/FlightRecorder.h"
 #include "device/control/ControlNames.h"
 #include "device/control/ResolutionNames.h"
+#include "scenegraph/writing/LastingText.h"
 
 namespace haptiv {
 namespace {
@@ -39,6 +41,16 @@ ControlChoice controlChoiceOf(const RunOptions& options, const DeviceDescription
   return choice;
 }
 
+/// As it was written, where it stands by itself.
+std::string textForLog(const SceneFile& file) {
+  if (file.fileOf.empty()) return file.text;
+  try {
+    return wholeText(file.root.get(), file.path);
+  } catch (const std::runtime_error&) {
+    return file.text;
+  }
+}
+
 }  // namespace
 
 SessionSetup setUp(const RunOptions& options, const LoadedScene& loaded) {
@@ -46,7 +58,7 @@ SessionSetup setUp(const RunOptions& options, const LoadedScene& loaded) {
   setup.scene = withResolution(loaded.compiled.scene, resolutionChoiceOf(options, loaded.device));
   setup.scene = withControl(setup.scene, controlChoiceOf(options, loaded.device));
   setup.sceneName = loaded.file.path;
-  setup.sceneText = loaded.file.text;
+  setup.sceneText = textForLog(loaded.file);
   setup.description = loaded.device;
   setup.rate = options.rate;
   setup.spin = std::chrono::nanoseconds(std::llround(1000 * options.spin));

@@ -10,6 +10,7 @@
 #include "app/editor/document/LiveCompilation.h"
 #include "app/editor/document/Selection.h"
 #include "app/view/picture/PictureDecoder.h"
+#include "scenegraph/writing/LastingText.h"
 #include "scenegraph/writing/SceneSaver.h"
 #include "scenegraph/writing/SceneWriter.h"
 
@@ -119,7 +120,7 @@ SoSeparator* SceneDocument::root() const {
 std::string SceneDocument::text() const {
   const_cast<SceneDocument*>(this)->releaseHandles();
   try {
-    return lastingText(parts_->file.root.get(), parts_->file.path);
+    return wholeText(parts_->file.root.get(), parts_->file.path);
   } catch (const std::runtime_error&) {
     return writeSceneText(parts_->file.root.get());
   }

@@ -33,7 +33,8 @@ class SceneDocument : public QObject {
   QString path() const;
   bool isModified() const;
   SoSeparator* root() const;
-  /// The scene as text, as save would write it; as Coin does, where save would refuse its prototypes.
+  /// The scene as text, for logs: what prototypes make, and what it includes, is written out; as Coin does it, where
+  /// that cannot be done.
   std::string text() const;
   QUndoStack& undoStack();
 

@@ -156,7 +156,7 @@ TEST_F(Replay, InASofterWallTheSameHandGoesDeeper) {
 
 TEST_F(Replay, RefusesToSetWhatThereIsNot) {
   for (const char* wrong : {"stop", "stop.stiffness", "=5", ".stiffness=5", "stop.=5", "nobody.stiffness=5",
-                            "stop.colour=5", "stop.stiffness=hard"}) {
+                            "stop.colour=5", "stop.stiffness=hard", "stop.stiffness=1e300"}) {
     const Ended ended = runHaptiv({"replay", log, "--set", wrong});
     EXPECT_EQ(ended.code, 2) << wrong;
     EXPECT_THAT(ended.err, HasSubstr("--set")) << wrong;
@@ -194,18 +194,31 @@ Transform { translation 0.3 -0.2 0 children [ Block { size 0.4 0.1 0.4 k 1000 na
   EXPECT_EQ(other["changed"], other["logged"]) << "all but what is set stays as it was";
 }
 
-TEST_F(Replay, SaysThatWhatTheSceneIncludesIsNotThere) {
+/// They are read from the log: its reader may be anywhere.
+TEST_F(Replay, SetsWhatTheSceneIncludes) {
   folder.write("stop.iv",
-               "#Inventor V2.1 ascii\nTranslation { translation 0.3 0.2 0 } Cube { width 0.4 height 0.1 depth 0.4 }");
-  const std::string log = logOf("includes.iv", R"(#Inventor V2.1 ascii
+               "#Inventor V2.1 ascii\nHapticSurface { label \"stop\" }\n"
+               "Translation { translation 0.3 0.2 0 }\nCube { width 0.4 height 0.1 depth 0.4 }\n");
+  const std::string includes =
+      logOf("includes.iv", "#Inventor V2.1 ascii\nHapticTool { home 0.3 0 0 }\nFile { name \"stop.iv\" }\n");
+  const Json softer = runHaptiv({"replay", includes, "--set", "stop.stiffness=1800", "--json"}).json();
+  EXPECT_GT(softer["changed"]["max_penetration_m"], softer["logged"]["max_penetration_m"]);
+  EXPECT_GT(softer["logged"]["max_penetration_m"], 0.0);
+}
+
+/// Coin would read beyond its memory.
+TEST_F(Replay, JudgesWhatIsSetAsAFileIsJudged) {
+  const std::string faces = logOf("faces.iv", R"(#Inventor V2.1 ascii
 HapticTool { home 0.3 0 0 }
-HapticSurface { label "stop" }
-File { name "stop.iv" }
+HapticSurface { }
+DEF Corners Coordinate3 { point [ 0 0.1 0, 1 0.1 0, 1 0.1 1 ] }
+DEF Face IndexedFaceSet { coordIndex [ 0 1 2 -1 ] }
 )");
-  const Ended elsewhere = runHaptiv({"replay", log, "--set", "stop.stiffness=1800"});
-  EXPECT_EQ(elsewhere.code, 3);
-  EXPECT_THAT(elsewhere.err, HasSubstr("4: warning: File: \"stop.iv\" is not there"));
-  EXPECT_THAT(elsewhere.err, HasSubstr("run haptiv in the folder of the scene"));
+  for (const char* wrong : {"Face.coordIndex=[ 0 1 100000000 -1 ]", "Corners.point=[ 0 0 0 ]"}) {
+    const Ended ended = runHaptiv({"replay", faces, "--set", wrong});
+    EXPECT_EQ(ended.code, 1) << wrong;
+    EXPECT_THAT(ended.err, HasSubstr(":5: error: IndexedFaceSet \"Face\": reaches for coordinate")) << wrong;
+  }
 }
 
 }  // namespace haptiv

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "scenegraph/compiling/SceneCompiler.h"
+#include "scenegraph/reading/SceneFile.h"
+#include "scenegraph/writing/SceneSaver.h"
 #include "tests/app/editor/EditedScene.h"
 
 namespace haptiv {
@@ -95,6 +97,25 @@ TEST(SharedNodes, OfPrototypesAreEditedOneByOne) {
   scene.document.undoStack().undo();
   EXPECT_EQ(wallsOf(scene)[0].surface.stiffness, 1500);
   expectAsSaved(scene);
+}
+
+/// Saving keeps the reference, a log has all of it.
+TEST(SharedNodes, OfAnotherFileAreInTheTextForLogs) {
+  EditedScene scene("#Inventor V2.1 ascii\nHapticTool { home 9 9 9 }\n");
+  saveText("#Inventor V2.1 ascii\nSeparator { HapticSurface { label \"wall\" } Cube { } }",
+           scene.pathOf("wall.iv").toStdString());
+  saveText("#Inventor V2.1 ascii\nHapticTool { home 9 9 9 }\nFile { name \"wall.iv\" }\n",
+           scene.pathOf("whole.iv").toStdString());
+  ASSERT_TRUE(scene.document.open(scene.pathOf("whole.iv")));
+  const CompiledScene logged = SceneCompiler().compile(readSceneText(scene.document.text(), "log"));
+  ASSERT_TRUE(logged.scene);
+  EXPECT_EQ(logged.scene->walls.size(), 1u);
+  EXPECT_EQ(scene.document.text().find("wall.iv"), std::string::npos);
+  EXPECT_EQ(wallsOf(scene).size(), 1u) << "the open scene is as it was";
+  scene.document.save(scene.pathOf("saved.iv"));
+  const SceneFile saved = readScene(scene.pathOf("saved.iv").toStdString());
+  EXPECT_NE(saved.text.find("wall.iv"), std::string::npos);
+  EXPECT_EQ(saved.text.find("Cube"), std::string::npos);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <QColor>
 #include <cstdlib>
 
+#include "scenegraph/GraphWalk.h"
+
 namespace haptiv {
 namespace {
 
@@ -39,6 +41,21 @@ TEST(OffscreenPicture, DoesNotLookThroughTheScenesOwnCameras) {
     const SceneFile file = readSceneText(text, "with a camera");
     ASSERT_TRUE(file.root);
     EXPECT_EQ(drawOffscreen(file.root.get(), 64, 64), without) << camera;
+  }
+}
+
+/// What is seen is what is felt, from afar too.
+TEST(OffscreenPicture, ShowsTheFinestOfLevels) {
+  const QImage fine = drawOffscreen(redWall().get(), 64, 64);
+  for (const std::string levels :
+       {"LOD { range [ 0.0001 ]", "LevelOfDetail { screenArea [ 1e9 ]", "VRMLLOD { range [ 0.0001 ] level ["}) {
+    std::string text = kRedWall;
+    text.insert(text.find("Cube"), levels + " ");
+    text.insert(text.rfind('}'), (levels.ends_with('[') ? " Sphere { radius 0.05 } ] }" : " Sphere { radius 0.05 } }"));
+    const SceneFile file = readSceneText(text, "with levels");
+    ASSERT_TRUE(file.root) << text;
+    EXPECT_EQ(drawOffscreen(file.root.get(), 64, 64), fine) << levels;
+    EXPECT_EQ(drawnTriangles(file.root.get()), 12u) << levels;
   }
 }
 
