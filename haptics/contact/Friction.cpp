@@ -45,24 +45,26 @@ Cone coneAt(const HapticScene& scene, const ContactSet& before, const Vector3& g
 
 }  // namespace
 
-Friction holdProxy(const HapticScene& scene, const ContactSet& before, const Vector3& position) noexcept {
+Friction holdProxy(const HapticScene& scene, const ContactSet& before, const ToolMotion& tool) noexcept {
   const bool hasFriction = std::any_of(before.begin(), before.end(), [&](const Contact& contact) {
     return wallOf(scene, contact).surface.staticFriction > 0;
   });
   if (!hasFriction) return {};
-  Vector3 offset = before.frictionOffset - freeVelocity(position - before.toolPosition, before);
+  Vector3 offset = before.frictionOffset - freeVelocity(tool.position - before.toolPosition, before);
   if (before.count == 1) offset -= offset.dot(before.contact[0].normal) * before.contact[0].normal;
-  const Cone cone = coneAt(scene, before, position + offset);
+  const Cone cone = coneAt(scene, before, tool.position + offset);
   const double length = offset.norm();
   if (length <= cone.reach(before.sliding)) return {offset, false};
-  return {offset * (cone.reach(true) / length), true};
+  const double yielded = before.frictionOffset.norm() - kSlip * tool.radius;
+  const double dynamic = cone.reach(true), most = std::min(length, std::max(dynamic, yielded));
+  return {offset * (most / length), true, most > dynamic};
 }
 
 Vector3 frictionForce(const HapticScene& scene, const Friction& friction, ContactSet& contacts) noexcept {
   Cone cone;
   for (const Contact& contact : contacts) cone.press(wallOf(scene, contact).surface, contact.elasticDepth());
   const double length = friction.offset.norm();
-  const double allowed = std::min(length, cone.reach(friction.sliding));
+  const double allowed = std::min(length, cone.reach(friction.sliding && !friction.yielding));
   if (!(allowed > 0)) return Vector3::Zero();
   const Vector3 force = friction.offset * (cone.stiffness() * allowed / length);
   for (Contact& contact : contacts) {

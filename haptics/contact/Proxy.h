@@ -8,6 +8,9 @@
 
 namespace haptiv {
 
+/// How far a proxy that is held may slip in a tick, beside what the ball moves: part of the radius.
+inline constexpr double kSlip = 1.0 / 16;
+
 /// What holds the proxy: exact walls, and then triangles.
 using ProxyPlanes = HalfSpaces<2 * ContactSet::kMaxContacts>;
 

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "haptics/contact/FollowEdit.h"
+#include "haptics/contact/Proxy.h"
 #include "haptics/contact/TouchWalls.h"
 
 namespace haptiv {

@@ -4,9 +4,6 @@
 
 namespace haptiv {
 
-/// How far a proxy that is held may slip in a tick, beside what the ball moves: part of the radius.
-inline constexpr double kSlip = 1.0 / 16;
-
 /// Brings the proxy as near to the goal as the walls let it: first held by the exact walls of the tick before, to find
 /// out which are around, then by these. What holds it are the contacts.
 ///

@@ -45,7 +45,7 @@ Vector3 renderWalls(const HapticScene& scene, const ToolMotion& tool, ContactSet
   if (!contacts.started || contacts.sceneVersion != scene.version) settle(scene, tool, contacts);
   const double way = slipWay(tool, contacts);
   const WallSlacks slacks = slacksOf(scene, contacts);
-  Friction friction = holdProxy(scene, contacts, tool.position);
+  Friction friction = holdProxy(scene, contacts, tool);
   const bool isPulled = !friction.offset.isZero(0);
   touchWalls(scene, tool.position + friction.offset, tool.radius, way, contacts);
   if (isPulled && contacts.count == 0) {  // it has lost its hold
