@@ -73,7 +73,7 @@ std::shared_ptr<const HapticScene> compile(const SceneFile& file) {
   return compiled.scene;
 }
 
-// What is included is not in the log. Where many edits of a large scene share one text, that may also be another one.
+// Older logs do not hold what is included. Where many edits of a large scene share one text, that may be another one.
 void requireIncluded(const SceneFile& file, const HapticScene& read, const HapticScene& logged) {
   if (read.walls.size() == logged.walls.size() && read.zones.size() == logged.zones.size()) return;
   const auto isMissing = [](const Diagnostic& each) {
