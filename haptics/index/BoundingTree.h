@@ -48,12 +48,7 @@ class BoundingTree {
   /// What is nearer to p_W than `reach` along every axis, as the nodes' boxes are seen.
   FloatBox around(const Vector3& p_W, double reach) const noexcept { return cubeAround(p_W - origin_, reach, farOff_); }
 
-  /// The same for all along a way.
-  FloatBox along(const Vector3& from_W, const Vector3& to_W, double reach) const noexcept {
-    return hullOf(around(from_W, reach), around(to_W, reach));
-  }
-
-  /// Calls visit(item) for the boxes that have a point in common with what these returned.
+  /// Calls visit(item) for the boxes that have a point in common with what this returned.
   template <typename Visit>
   void forEachNear(const FloatBox& query, Visit&& visit) const noexcept {
     walkTree(nodes_, TouchingBox{query}, visit);

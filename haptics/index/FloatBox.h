@@ -26,16 +26,23 @@ struct FloatBox {
     }
     return does;
   }
-};
 
-inline FloatBox hullOf(const FloatBox& a, const FloatBox& b) noexcept {
-  FloatBox hull;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    hull.low[axis] = std::min(a.low[axis], b.low[axis]);
-    hull.high[axis] = std::max(a.high[axis], b.high[axis]);
+  /// Along a way, and farther by a margin on all sides, to rounding; where that is not a number, no box.
+  FloatBox reaching(const Vector3& way, double margin) const noexcept {
+    FloatBox box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double along = way[static_cast<Eigen::Index>(axis)];
+      box.low[axis] = limited(low[axis] + std::min(0.0, along) - margin);
+      box.high[axis] = limited(high[axis] + std::max(0.0, along) + margin);
+    }
+    return box;
   }
-  return hull;
-}
+
+ private:
+  static float limited(double x) noexcept {
+    return static_cast<float>(std::min(std::max(-double{kFar}, x), double{kFar}));
+  }
+};
 
 namespace index_detail {
 

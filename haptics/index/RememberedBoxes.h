@@ -36,53 +36,69 @@ class RememberedBoxes {
   std::optional<std::span<const std::uint32_t>> near(const BoundingTree& tree, const Vector3& p_W, double reach,
                                                      const Keeper& keeper) noexcept {
     const FloatBox query = tree.around(p_W, reach);
-    const bool isKnown = inner_.holds(query) || lookAhead(tree, query, p_W, reach, keeper);
-    if (!isKnown) return std::nullopt;
+    const bool isInner = inner_.holds(query);
+    if (!isInner && !isKnown(query) && !findAnew(tree, query, keeper)) return std::nullopt;
     const std::uint32_t near = known().touching(query);
     if (near != near_) list(near, keeper);
-    return std::span(item_.data(), items_);
+    const std::span items(item_.data(), items_);
+    if (!isInner) lookAhead(tree, query, keeper);
+    return items;
   }
 
  private:
   static constexpr std::size_t kNodesAtOnce = 1;  ///< of the tree, in a call
+  static constexpr std::size_t kFew = 2;          ///< boxes
 
   const GatheredBoxes& known() const noexcept { return gathered_[now_]; }
+  bool isKnown(const FloatBox& query) const noexcept { return known().fits() && known().place().holds(query); }
 
-  /// Gathers what lies ahead, and returns whether the query is within what is known now.
+  /// Whether what is around could be remembered, at once.
   template <typename Keeper>
-  [[gnu::noinline]] bool lookAhead(const BoundingTree& tree, const FloatBox& query, const Vector3& p_W, double reach,
-                                   const Keeper& keeper) noexcept {
+  [[gnu::noinline]] bool findAnew(const BoundingTree& tree, const FloatBox& query, const Keeper& keeper) noexcept {
+    constexpr std::size_t kAllNodes = std::numeric_limits<std::size_t>::max();
+    const bool isTooMuch = known().place().holds(query);
     const Ahead ahead = keeper.ahead();
-    const bool isInside = known().place().holds(query);
-    const bool isTooMuch = isInside && !known().fits();
-    if (ahead.margin > 0 && !isTooMuch) gather(tree, query, isInside, p_W, reach, ahead, keeper);
-    return known().fits() && known().place().holds(query);
+    if (isTooMuch || !(ahead.margin > 0)) return false;
+    const GatheredBoxes& next = gathered_[1 - now_];
+    if (next.isComplete() || !next.place().holds(query)) begin(tree, query, ahead);
+    goOn(tree, query, ahead, kAllNodes, keeper);
+    return isKnown(query);
   }
 
-  /// A little of what lies ahead, or where the query is outside of what is known, all.
+  /// Gathers a little of what lies ahead. A call that found many boxes leaves it to a later one, while there is time.
   template <typename Keeper>
-  void gather(const BoundingTree& tree, const FloatBox& query, bool isInside, const Vector3& p_W, double reach,
-              const Ahead& ahead, const Keeper& keeper) noexcept {
-    const std::size_t nodes = isInside ? kNodesAtOnce : std::numeric_limits<std::size_t>::max();
+  [[gnu::noinline]] void lookAhead(const BoundingTree& tree, const FloatBox& query, const Keeper& keeper) noexcept {
+    if (items_ > kFew && leisure_.holds(query)) return;
+    const Ahead ahead = keeper.ahead();
+    if (!(ahead.margin > 0)) return;
+    if (gathered_[1 - now_].isComplete()) begin(tree, query, ahead);
+    goOn(tree, query, ahead, kNodesAtOnce, keeper);
+  }
+
+  /// Where all is gathered, it is what is known from the next call on.
+  template <typename Keeper>
+  void goOn(const BoundingTree& tree, const FloatBox& query, const Ahead& ahead, std::size_t nodes,
+            const Keeper& keeper) noexcept {
     const auto gathered = [&](std::uint32_t item) { keeper.gathered(item); };
     GatheredBoxes& next = gathered_[1 - now_];
-    if (next.isComplete() || !(isInside || next.place().holds(query))) begin(tree, p_W, reach, ahead);
     next.goOn(tree, nodes, gathered);
     if (next.isComplete() && !next.fits() && !isSmall_) {
-      begin(tree, p_W, reach, {ahead.margin});
+      begin(tree, query, {ahead.margin});
       next.goOn(tree, nodes, gathered);
     }
     if (!next.isComplete()) return;
     now_ = 1 - now_;
     inner_ = known().fits() ? innerNext_ : FloatBox::nowhere();
+    leisure_ = known().fits() ? leisureNext_ : FloatBox::nowhere();
     near_ = 0;
     items_ = 0;
   }
 
-  void begin(const BoundingTree& tree, const Vector3& p_W, double reach, const Ahead& ahead) noexcept {
-    constexpr double kInner = 0.75;
-    gathered_[1 - now_].start(tree, tree.along(p_W, p_W + ahead.way, reach + ahead.margin));
-    innerNext_ = tree.along(p_W, p_W + kInner * ahead.way, reach + kInner * ahead.margin);
+  void begin(const BoundingTree& tree, const FloatBox& query, const Ahead& ahead) noexcept {
+    constexpr double kInner = 0.5, kLeisure = 0.875;
+    gathered_[1 - now_].start(tree, query.reaching(ahead.way, ahead.margin));
+    innerNext_ = query.reaching(kInner * ahead.way, kInner * ahead.margin);
+    leisureNext_ = query.reaching(kLeisure * ahead.way, kLeisure * ahead.margin);
     isSmall_ = ahead.way.isZero(0);
   }
 
@@ -102,6 +118,8 @@ class RememberedBoxes {
 
   FloatBox inner_ = FloatBox::nowhere();  ///< while a query is within it, there is nothing to gather
   FloatBox innerNext_ = FloatBox::nowhere();
+  FloatBox leisure_ = FloatBox::nowhere();  ///< while it is within this one, it may wait
+  FloatBox leisureNext_ = FloatBox::nowhere();
   std::array<GatheredBoxes, 2> gathered_;
   std::size_t now_ = 0;     ///< which is known; the other one is gathered, until it is complete and takes its place
   bool isSmall_ = false;    ///< what is gathered is around a place, and not on a way

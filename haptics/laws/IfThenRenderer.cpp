@@ -16,22 +16,20 @@ double slipWay(const ToolMotion& tool, const ContactSet& contacts) noexcept {
   return 2 * (tool.position - contacts.toolPosition).norm() + (contacts.wedged ? 0 : kSlip * tool.radius);
 }
 
-/// How fast the ball moves into each contact: where several see the same motion, each has its share of it.
-ProxyPlanes inwardSpeeds(const ContactSet& contacts, const Vector3& velocity) noexcept {
-  ProxyPlanes planes;
-  for (const Contact& contact : contacts) planes.add(contact.normal, 0);
-  planes.shareOut(velocity);
-  return planes;
+/// How fast the ball moves into a contact: of a motion that several see, each has the part that it has of the depth.
+double inwardSpeed(const Contact& contact, const Vector3& goal, const Vector3& velocity) noexcept {
+  if (!(contact.depth > 0)) return 0;
+  const double inside = contact.offset - contact.normal.dot(goal);
+  return -contact.normal.dot(velocity) * (contact.depth / inside);
 }
 
 /// Eqs. (26), (27) along each normal.
 Vector3 wallForces(const HapticScene& scene, const Vector3& velocity, ContactSet& contacts) noexcept {
-  const ProxyPlanes inwards = inwardSpeeds(contacts, velocity);
   Vector3 sum = Vector3::Zero();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
-    Contact& contact = contacts.contact[i];
+  for (Contact& contact : contacts) {
     const SurfaceProperties& surface = wallOf(scene, contact).surface;
-    const double speed = surface.dampsOutwards ? -contact.normal.dot(velocity) : inwards.share[i];
+    const double inwards = inwardSpeed(contact, contacts.goal, velocity);
+    const double speed = surface.dampsOutwards ? inwards : std::max(inwards, 0.0);
     const double push = surface.stiffness * contact.elasticDepth() + surface.damping * speed;
     contact.force = std::max(push, 0.0) * contact.normal;
     sum += contact.force;
