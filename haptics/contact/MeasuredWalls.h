@@ -20,16 +20,21 @@ class MeasuredWalls {
 
   /// By rising number, and no more than there is room for. The same one twice is one.
   [[gnu::always_inline]] void measureTwo(const ShapeIndex::Entry& a, const ShapeIndex::Entry& b) noexcept {
-    if (!a.isStraight || !b.isStraight) return measureEach(a, b);
-    const TwoSurfaces two = haptiv::measureTwo(place_, a.box, b.box);
+    if (a.isUpright & b.isUpright) return measureTwo<true>(a, b);
+    if (a.isStraight & b.isStraight) return measureTwo<false>(a, b);
+    measureEach(a, b);
+  }
+
+ private:
+  void measure(const ShapeIndex::Entry& entry) noexcept;
+  template <bool Upright>
+  [[gnu::always_inline]] void measureTwo(const ShapeIndex::Entry& a, const ShapeIndex::Entry& b) noexcept {
+    const TwoSurfaces two = haptiv::measureTwo<Upright>(place_, a.box, b.box);
     if (!(two.isOutside[0] & two.isOutside[1])) return measureEach(a, b);
     const PairMask isNear = two.distance < twice(reach_);
     list<0>(two, a, isNear);
     if (&a != &b) list<1>(two, b, isNear);
   }
-
- private:
-  void measure(const ShapeIndex::Entry& entry) noexcept;
   void measureEach(const ShapeIndex::Entry& a, const ShapeIndex::Entry& b) noexcept;
   /// Written in any case and then counted or not: nobody could foresee a jump.
   template <int Lane>

@@ -62,7 +62,7 @@ void meetWalls(const HapticScene& scene, MeshNeighbourhood& meshes, const Vector
   const Vector3 start = proxy.position;
   const BallCourse course{goal - contacts.goal, radius};
   const double left = proxy.way;
-  for (const double ahead : {std::clamp(way, kSlip * radius, radius), radius}) {
+  for (const double ahead : {std::clamp(0.5 * way, kSlip / 2 * radius, radius), radius}) {
     findWallsAround(scene, start, radius + ahead, course, contacts.boxes, walls);
     if (!wasHeld && walls.count == 0) return;
     proxy.position = start;

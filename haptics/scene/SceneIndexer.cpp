@@ -18,7 +18,9 @@ ShapeIndex::Entry entryOf(const Shape& shape, std::uint32_t number) {
   entry.shape = number;
   const auto box = shape.kind == Shape::Kind::box ? straightBox(shape) : std::nullopt;
   entry.isStraight = box.has_value();
-  if (box) entry.box = *box;
+  if (!box) return entry;
+  entry.box = *box;
+  entry.isUpright = isUpright(*box);
   return entry;
 }
 

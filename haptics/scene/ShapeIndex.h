@@ -15,6 +15,7 @@ struct ShapeIndex {
     StraightBox box;          ///< where `isStraight`
     std::uint32_t shape = 0;  ///< its number among the walls or zones
     bool isStraight = false;
+    bool isUpright = false;  ///< and its box is so
   };
 
   BoundingTree tree;                ///< of the shapes' bounds

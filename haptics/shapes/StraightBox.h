@@ -13,4 +13,9 @@ struct StraightBox {
   Vector3 half = Vector3::Zero();         ///< half edges [m]
 };
 
+/// Its edges lie along the axes of W, and are named as these.
+inline bool isUpright(const StraightBox& box) noexcept {
+  return box.normals == Matrix3::Identity();
+}
+
 }  // namespace haptiv

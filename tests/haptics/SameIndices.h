@@ -28,6 +28,7 @@ inline void expectSameIndex(const ShapeIndex& a, const ShapeIndex& b) {
     const ShapeIndex::Entry &one = a.entries[i], &other = b.entries[i];
     ASSERT_EQ(one.shape, other.shape);
     ASSERT_EQ(one.isStraight, other.isStraight);
+    ASSERT_EQ(one.isUpright, other.isUpright);
     ASSERT_EQ(std::memcmp(&one.box, &other.box, sizeof one.box), 0);  // NaN, too
   }
 }
