@@ -66,9 +66,9 @@ bool GivingPlanes::settleAsGuessed(Settled& guess) const noexcept {
     normals[k] = normal[of[k]];
     asked[k] = missing[of[k]];
   }
-  const std::array<double, Size> shares = PushingPlanes<Size>(normals, give).roughShares(asked);
+  const auto shares = PushingPlanes<Size>(normals, give).shares(asked);
   guess.way.setZero();
-  for (std::size_t k = 0; k < Size; ++k) guess.way += shares[k] * normals[k];
+  for (std::size_t k = 0; k < Size; ++k) guess.way += shares[k][0] * normals[k];
   const PlaneSet before = guess.pushing;
   guess.pushing = pushAt(guess.way);
   return guess.pushing == before;

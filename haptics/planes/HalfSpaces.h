@@ -52,10 +52,10 @@ struct HalfSpaces {
 
   /// Where the shares lead to, from p, and which planes push.
   [[gnu::always_inline]] inline Settled shareOut(const Vector3& p, const Vector3& guess) noexcept;
-  /// How far the planes leave out p; false where they do not.
-  [[gnu::always_inline]] inline bool measureFrom(const Vector3& p) noexcept;
+  /// How far the planes leave out p, and which of them p + y, too.
+  [[gnu::always_inline]] inline PlaneSet measureFrom(const Vector3& p, const Vector3& y) noexcept;
   /// The nearest point on all of these planes, from p.
-  [[gnu::always_inline]] inline std::optional<Vector3> meetingOf(PlaneSet planes) const noexcept;
+  [[gnu::noinline]] std::optional<Vector3> meetingOf(PlaneSet planes) const noexcept;
   /// Of three, two that are almost parallel share, and yet only one of them is reached.
   std::optional<Vector3> meetingWithoutLeast(std::size_t i, std::size_t j, std::size_t k) const noexcept {
     if (share[j] < share[i]) std::swap(i, j);
@@ -66,31 +66,39 @@ struct HalfSpaces {
   std::size_t size() const noexcept { return static_cast<std::size_t>(count); }
 
   std::array<double, Capacity> missing_;  ///< r
-  double largest_;                        ///< of the |r|
+  double most_, largest_;                 ///< of the r; of the |r|
 };
 
 template <int Capacity>
-bool HalfSpaces<Capacity>::measureFrom(const Vector3& p) noexcept {
-  double most = 0, least = 0;
+PlaneSet HalfSpaces<Capacity>::measureFrom(const Vector3& p, const Vector3& y) noexcept {
+  const Pair x = {p.x(), y.x()}, v = {p.y(), y.y()}, w = {p.z(), y.z()};
+  PlaneSet leaving = 0;
+  double least = 0;
+  most_ = 0;
   for (std::size_t i = 0; i < size(); ++i) {
+    const Vector3& n = normal[i];
+    const Pair along = n.x() * x + n.y() * v + n.z() * w;
     share[i] = 0;
-    missing_[i] = offset[i] - normal[i].dot(p);
-    most = std::max(most, missing_[i]);
+    missing_[i] = offset[i] - along[0];
+    leaving |= static_cast<PlaneSet>(missing_[i] > along[1]) << i;
+    most_ = std::max(most_, missing_[i]);
     least = std::min(least, missing_[i]);
   }
-  largest_ = std::max(most, -least);
-  return most > 0;
+  largest_ = std::max(most_, -least);
+  return leaving;
 }
 
 template <int Capacity>
 typename HalfSpaces<Capacity>::Settled HalfSpaces<Capacity>::shareOut(const Vector3& p, const Vector3& guess) noexcept {
-  if (!measureFrom(p)) return {};
+  const Vector3 start = PlaneShares::startAt(guess - p);
+  const PlaneSet likely = measureFrom(p, start);
+  if (!(most_ > 0)) return {};
   if (count == 1) {
     share[0] = missing_[0];
     return {1, missing_[0] * normal[0]};
   }
-  PlaneShares shares({normal.data(), size()}, {missing_.data(), size()}, {share.data(), size()});
-  return shares.shareOut(guess - p);
+  PlaneShares shares({normal.data(), size()}, {missing_.data(), size()}, {share.data(), size()}, largest_);
+  return shares.shareOut(likely, start);
 }
 
 template <int Capacity>
@@ -125,6 +133,7 @@ template <int Capacity>
 Vector3 HalfSpaces<Capacity>::nearest(const Vector3& p, const Vector3& guess) noexcept {
   const Settled shared = shareOut(p, guess);
   if (shared.pushing == 0 || count == 1) return p + shared.way;
+  if (shared.isSure) return p + shared.nearest;
   const std::optional<Vector3> meeting = meetingOf(shared.pushing);
   if (meeting && allHold(*meeting)) return p + *meeting;
   return p + nearestCorner({normal.data(), size()}, {missing_.data(), size()}).value_or(shared.way);

@@ -2,13 +2,13 @@
 
 namespace haptiv {
 
-PlaneShares::Settled PlaneShares::shareOneAfterTheOther(const Settled& guess) noexcept {
+PlaneShares::Settled PlaneShares::shareOneAfterTheOther(const GivingPlanes::Settled& guess) noexcept {
   std::array<double, 32> asked;
   GivingPlanes planes{normal_, missing_, share_, kGive};
-  const Settled first = planes.settle(guess);
+  const GivingPlanes::Settled first = planes.settle(guess);
   for (std::size_t i = 0; i < missing_.size(); ++i) asked[i] = missing_[i] + kGive * share_[i];
   planes.missing = {asked.data(), missing_.size()};
-  const Settled second = planes.settle(first);
+  const GivingPlanes::Settled second = planes.settle(first);
   double squares = 0;
   for (const double share : share_) squares += share * share;
   const double longer = stretchOf(squares, second.way.squaredNorm());

@@ -12,20 +12,30 @@ namespace haptiv {
 /// How planes share in pushing a point out from the origin: the law is HalfSpaces'. Realtime-safe: yes.
 class PlaneShares {
  public:
-  using Settled = GivingPlanes::Settled;
+  /// Which push, and where to.
+  struct Settled {
+    PlaneSet pushing = 0;
+    Vector3 way = Vector3::Zero();
+    Vector3 nearest = Vector3::Zero();  ///< where `isSure`: the nearest point to the origin that is in all
+    bool isSure = false;
+  };
 
   /// @param normals  unit
   /// @param missing  r: how far each plane leaves out the origin [m]; at least one does
   /// @param shares   out; zero at first [m]
-  PlaneShares(std::span<const Vector3> normals, std::span<const double> missing, std::span<double> shares) noexcept
-      : normal_(normals), missing_(missing), share_(shares) {}
+  /// @param largest  of the |r| [m]
+  PlaneShares(std::span<const Vector3> normals, std::span<const double> missing, std::span<double> shares,
+              double largest) noexcept
+      : normal_(normals), missing_(missing), share_(shares), largest_(largest) {}
 
-  /// Which push, and where to. In closed form where up to three push, and which they are shows at the guess.
-  /// @param guess  where it may be; saves steps, and does not change the shares
-  [[gnu::always_inline]] inline Settled shareOut(const Vector3& guess) noexcept {
+  /// Where it is easily seen which push, if that is where the point may come to.
+  static Vector3 startAt(const Vector3& guess) noexcept { return (1 - 2 * kGive) * guess; }
+
+  /// In closed form where up to three push, and which they are shows at the start.
+  /// @param likely  which leave out the start
+  /// @param start   saves steps, and does not change the shares
+  [[gnu::always_inline]] inline Settled shareOut(PlaneSet likely, const Vector3& start) noexcept {
     constexpr int kGuesses = 3;
-    const Vector3 start = (1 - 2 * kGive) * guess;
-    PlaneSet likely = pushingAt(start);
     if (likely == 0) likely = pushingAt(Vector3::Zero());
     for (int i = 0; i < kGuesses; ++i) {
       const PlaneSet guessed = likely;
@@ -37,6 +47,8 @@ class PlaneShares {
 
  private:
   static constexpr double kGive = 1.0 / 128;  ///< d
+  static constexpr double kWide = 1e-3;       ///< spread of planes that are far from parallel
+  static constexpr double kRounding = 1e-12;
 
   PlaneSet pushingAt(const Vector3& y) const noexcept {
     PlaneSet pushing = 0;
@@ -64,7 +76,7 @@ class PlaneShares {
   [[gnu::always_inline]] inline std::optional<Settled> shareAmong(PlaneSet& guess) noexcept;
   [[gnu::always_inline]] inline std::optional<Settled> giveToOne(PlaneSet& guess) noexcept;
   /// The same where other planes push the second time, or it is harder to find out which.
-  Settled shareOneAfterTheOther(const Settled& guess) noexcept;
+  Settled shareOneAfterTheOther(const GivingPlanes::Settled& guess) noexcept;
 
   /// How much longer the shares have to be to reach the planes.
   /// @param squares  sum of the shares' [m^2]
@@ -77,6 +89,7 @@ class PlaneShares {
   std::span<const Vector3> normal_;
   std::span<const double> missing_;
   std::span<double> share_;
+  double largest_;
 };
 
 template <std::size_t Size>
@@ -89,26 +102,40 @@ std::optional<PlaneShares::Settled> PlaneShares::shareAmong(PlaneSet& guess) noe
     asked[k] = missing_[of[k]];
   }
   const PushingPlanes<Size> planes(normals, kGive);
-  const auto pushingBy = [&](const typename PushingPlanes<Size>::Each& shares, Vector3& way) {
-    PlaneSet pushing = 0;
-    for (std::size_t k = 0; k < Size; ++k) {
-      way += shares[k] * normals[k];
-      pushing |= static_cast<PlaneSet>(shares[k] > 0) << of[k];
-    }
-    return normal_.size() > Size ? pushing | (pushingAt(way) & ~guess) : pushing;
-  };
-  Vector3 firstWay = Vector3::Zero(), way = Vector3::Zero();
-  const PlaneSet pushingFirst = pushingBy(planes.roughShares(asked), firstWay);
+  const auto first = planes.shares(asked);
+  const auto second = planes.nearerShares(asked);
+  std::array<Pair, 3> firstWay{};
+  Vector3 way = Vector3::Zero();
+  PlaneSet pushingFirst = 0, pushingThen = 0;
+  bool isFirm = planes.spread() > kWide;
+  for (std::size_t k = 0; k < Size; ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) firstWay[axis] += first[k] * normals[k][static_cast<int>(axis)];
+    way += second[k] * normals[k];
+    pushingFirst |= static_cast<PlaneSet>(first[k][0] > 0) << of[k];
+    pushingThen |= static_cast<PlaneSet>(second[k] > 0) << of[k];
+    isFirm = isFirm & (first[k][1] >= 0);
+  }
+  double left = 0;  // out, of the firm way
+  PlaneSet othersFirst = 0, othersThen = 0;
+  for (std::size_t i = 0; i < normal_.size(); ++i) {
+    const Vector3& n = normal_[i];
+    const Pair along = firstWay[0] * n.x() + firstWay[1] * n.y() + firstWay[2] * n.z();
+    othersFirst |= static_cast<PlaneSet>(missing_[i] > along[0]) << i;
+    othersThen |= static_cast<PlaneSet>(missing_[i] > n.dot(way)) << i;
+    left = std::max(left, missing_[i] - along[1]);
+  }
+  pushingFirst |= othersFirst & ~guess;
   if (pushingFirst != guess) {
     guess = pushingFirst;
     return std::nullopt;
   }
-  const auto second = planes.shares(asked);
-  if (pushingBy(second, way) != guess) return std::nullopt;
-  const auto squares = planes.squaresOf(second);
-  const double longer = stretchOf(squares.shares, squares.way);
+  if ((pushingThen | (othersThen & ~guess)) != guess) return std::nullopt;
+  double squares = 0;
+  for (const double share : second) squares += share * share;
+  const double longer = stretchOf(squares, way.squaredNorm());
   for (std::size_t k = 0; k < Size; ++k) share_[of[k]] = longer * second[k];
-  return Settled{guess, longer * way};
+  const Vector3 nearest(firstWay[0][1], firstWay[1][1], firstWay[2][1]);
+  return Settled{guess, longer * way, nearest, isFirm && left <= kRounding * largest_};
 }
 
 /// One is exact, but to the others, who see it give way.
@@ -121,7 +148,7 @@ std::optional<PlaneShares::Settled> PlaneShares::giveToOne(PlaneSet& guess) noex
   guess = pushingFirst;
   if (!isRight) return std::nullopt;
   share_[one] = missing_[one];
-  return Settled{guess, way};
+  return Settled{guess, way, way, (pushingAt(way) & ~guess) == 0};
 }
 
 }  // namespace haptiv
