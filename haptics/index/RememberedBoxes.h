@@ -39,15 +39,16 @@ class RememberedBoxes {
     const bool isInner = inner_.holds(query);
     if (!isInner && !isKnown(query) && !findAnew(tree, query, keeper)) return std::nullopt;
     const std::uint32_t near = known().touching(query);
-    if (near != near_) list(near, keeper);
+    const bool isNew = near != near_;
+    if (isNew) list(near, keeper);
     const std::span items(item_.data(), items_);
-    if (!isInner) lookAhead(tree, query, keeper);
+    if (!isInner && !((isNew || items_ > kFew) && leisure_.holds(query))) lookAhead(tree, query, keeper);
     return items;
   }
 
  private:
   static constexpr std::size_t kNodesAtOnce = 1;  ///< of the tree, in a call
-  static constexpr std::size_t kFew = 2;          ///< boxes
+  static constexpr std::size_t kFew = 2;          ///< boxes; a call that finds more looks ahead only where it has to
 
   const GatheredBoxes& known() const noexcept { return gathered_[now_]; }
   bool isKnown(const FloatBox& query) const noexcept { return known().fits() && known().place().holds(query); }
@@ -65,10 +66,9 @@ class RememberedBoxes {
     return isKnown(query);
   }
 
-  /// Gathers a little of what lies ahead. A call that found many boxes leaves it to a later one, while there is time.
+  /// Gathers a little of what lies ahead.
   template <typename Keeper>
   [[gnu::noinline]] void lookAhead(const BoundingTree& tree, const FloatBox& query, const Keeper& keeper) noexcept {
-    if (items_ > kFew && leisure_.holds(query)) return;
     const Ahead ahead = keeper.ahead();
     if (!(ahead.margin > 0)) return;
     if (gathered_[1 - now_].isComplete()) begin(tree, query, ahead);
