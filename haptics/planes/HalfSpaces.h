@@ -44,7 +44,7 @@ struct HalfSpaces {
   ///
   /// @param guess  where it probably is: saves steps, and does not change the point
   /// Realtime-safe: yes.
-  Vector3 nearest(const Vector3& p, const Vector3& guess) noexcept;
+  [[gnu::flatten]] Vector3 nearest(const Vector3& p, const Vector3& guess) noexcept;
   Vector3 nearest(const Vector3& p) noexcept { return nearest(p, p); }
 
  private:

@@ -76,7 +76,7 @@ class PlaneShares {
   [[gnu::always_inline]] inline std::optional<Settled> shareAmong(PlaneSet& guess) noexcept;
   [[gnu::always_inline]] inline std::optional<Settled> giveToOne(PlaneSet& guess) noexcept;
   /// The same where other planes push the second time, or it is harder to find out which.
-  Settled shareOneAfterTheOther(const GivingPlanes::Settled& guess) noexcept;
+  [[gnu::noinline]] Settled shareOneAfterTheOther(const GivingPlanes::Settled& guess) noexcept;
 
   /// How much longer the shares have to be to reach the planes.
   /// @param squares  sum of the shares' [m^2]
