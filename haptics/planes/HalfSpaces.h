@@ -92,10 +92,10 @@ template <int Capacity>
 typename HalfSpaces<Capacity>::Settled HalfSpaces<Capacity>::shareOut(const Vector3& p, const Vector3& guess) noexcept {
   const Vector3 start = PlaneShares::startAt(guess - p);
   const PlaneSet likely = measureFrom(p, start);
-  if (!(most_ > 0)) return {};
+  if (!(most_ > 0)) return {0, true, true};
   if (count == 1) {
     share[0] = missing_[0];
-    return {1, missing_[0] * normal[0]};
+    return {1, true, true, missing_[0] * normal[0]};
   }
   PlaneShares shares({normal.data(), size()}, {missing_.data(), size()}, {share.data(), size()}, largest_);
   return shares.shareOut(likely, start);
@@ -132,8 +132,7 @@ std::optional<Vector3> HalfSpaces<Capacity>::meetingOf(PlaneSet planes) const no
 template <int Capacity>
 Vector3 HalfSpaces<Capacity>::nearest(const Vector3& p, const Vector3& guess) noexcept {
   const Settled shared = shareOut(p, guess);
-  if (shared.pushing == 0 || count == 1) return p + shared.way;
-  if (shared.isSure) return p + shared.nearest;
+  if (shared.isNearest) return p + shared.way;
   const std::optional<Vector3> meeting = meetingOf(shared.pushing);
   if (meeting && allHold(*meeting)) return p + *meeting;
   return p + nearestCorner({normal.data(), size()}, {missing_.data(), size()}).value_or(shared.way);

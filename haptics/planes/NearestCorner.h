@@ -19,7 +19,8 @@ namespace haptiv {
 ///
 /// @param normals  unit
 /// Realtime-safe: yes.
-[[gnu::noinline]] std::optional<Vector3> nearestCorner(std::span<const Vector3> normals, std::span<const double> offsets) noexcept;
+[[gnu::noinline]] std::optional<Vector3> nearestCorner(std::span<const Vector3> normals,
+                                                       std::span<const double> offsets) noexcept;
 
 inline constexpr double kParallelPlanes = 1e-10;  ///< the square of an angle's sine
 

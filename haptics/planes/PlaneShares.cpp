@@ -13,7 +13,7 @@ PlaneShares::Settled PlaneShares::shareOneAfterTheOther(const GivingPlanes::Sett
   for (const double share : share_) squares += share * share;
   const double longer = stretchOf(squares, second.way.squaredNorm());
   for (double& share : share_) share *= longer;
-  return {second.pushing, longer * second.way};
+  return {second.pushing, true, false, longer * second.way};
 }
 
 }  // namespace haptiv

@@ -15,9 +15,9 @@ class PlaneShares {
   /// Which push, and where to.
   struct Settled {
     PlaneSet pushing = 0;
+    bool isRight = true;     ///< else these only push the first time
+    bool isNearest = false;  ///< `way` leads to the nearest point that is in all; else where the shares do
     Vector3 way = Vector3::Zero();
-    Vector3 nearest = Vector3::Zero();  ///< where `isSure`: the nearest point to the origin that is in all
-    bool isSure = false;
   };
 
   /// @param normals  unit
@@ -38,9 +38,10 @@ class PlaneShares {
     constexpr int kGuesses = 3;
     if (likely == 0) likely = pushingAt(Vector3::Zero());
     for (int i = 0; i < kGuesses; ++i) {
-      const PlaneSet guessed = likely;
-      if (const auto shared = shareAmong(likely)) return *shared;
-      if (likely == guessed) break;
+      const Settled shared = shareAmong(likely);
+      if (shared.isRight) return shared;
+      if (shared.pushing == likely) break;
+      likely = shared.pushing;
     }
     return shareOneAfterTheOther({likely, start});
   }
@@ -58,9 +59,26 @@ class PlaneShares {
     return pushing;
   }
 
-  /// Where just the guessed planes push, the first time and the second; where they do not, nothing, and the guess
-  /// becomes that of the first time.
-  [[gnu::always_inline]] inline std::optional<Settled> shareAmong(PlaneSet& guess) noexcept {
+  /// Which planes leave out where the shares lead to, the first time and the second, and how far one of them leaves
+  /// out where the firm ones do [m].
+  struct Left {
+    PlaneSet first = 0, second = 0;
+    double firm = 0;
+  };
+  Left leftBy(const std::array<Pair, 3>& firstAndFirm, const Vector3& second) const noexcept {
+    Left left;
+    for (std::size_t i = 0; i < normal_.size(); ++i) {
+      const Vector3& n = normal_[i];
+      const Pair along = firstAndFirm[0] * n.x() + firstAndFirm[1] * n.y() + firstAndFirm[2] * n.z();
+      left.first |= static_cast<PlaneSet>(missing_[i] > along[0]) << i;
+      left.second |= static_cast<PlaneSet>(missing_[i] > n.dot(second)) << i;
+      left.firm = std::max(left.firm, missing_[i] - along[1]);
+    }
+    return left;
+  }
+
+  /// Where just the guessed planes push, the first time and the second.
+  [[gnu::always_inline]] inline Settled shareAmong(PlaneSet guess) noexcept {
     switch (sizeUpToThree(guess)) {
       case 1:
         return giveToOne(guess);
@@ -69,12 +87,12 @@ class PlaneShares {
       case 3:
         return shareAmong<3>(guess);
       default:
-        return std::nullopt;
+        return {guess, false};
     }
   }
   template <std::size_t Size>
-  [[gnu::always_inline]] inline std::optional<Settled> shareAmong(PlaneSet& guess) noexcept;
-  [[gnu::always_inline]] inline std::optional<Settled> giveToOne(PlaneSet& guess) noexcept;
+  [[gnu::always_inline]] inline Settled shareAmong(PlaneSet guess) noexcept;
+  [[gnu::always_inline]] inline Settled giveToOne(PlaneSet guess) noexcept;
   /// The same where other planes push the second time, or it is harder to find out which.
   [[gnu::noinline]] Settled shareOneAfterTheOther(const GivingPlanes::Settled& guess) noexcept;
 
@@ -93,7 +111,7 @@ class PlaneShares {
 };
 
 template <std::size_t Size>
-std::optional<PlaneShares::Settled> PlaneShares::shareAmong(PlaneSet& guess) noexcept {
+PlaneShares::Settled PlaneShares::shareAmong(PlaneSet guess) noexcept {
   const std::array<std::size_t, Size> of = membersOf<Size>(guess);
   std::array<Vector3, Size> normals;
   std::array<double, Size> asked;
@@ -106,49 +124,39 @@ std::optional<PlaneShares::Settled> PlaneShares::shareAmong(PlaneSet& guess) noe
   const auto second = planes.nearerShares(asked);
   std::array<Pair, 3> firstWay{};
   Vector3 way = Vector3::Zero();
-  PlaneSet pushingFirst = 0, pushingThen = 0;
+  PlaneSet pushingFirst = 0, pushing = 0;
   bool isFirm = planes.spread() > kWide;
   for (std::size_t k = 0; k < Size; ++k) {
     for (std::size_t axis = 0; axis < 3; ++axis) firstWay[axis] += first[k] * normals[k][static_cast<int>(axis)];
     way += second[k] * normals[k];
     pushingFirst |= static_cast<PlaneSet>(first[k][0] > 0) << of[k];
-    pushingThen |= static_cast<PlaneSet>(second[k] > 0) << of[k];
+    pushing |= static_cast<PlaneSet>(second[k] > 0) << of[k];
     isFirm = isFirm & (first[k][1] >= 0);
   }
-  double left = 0;  // out, of the firm way
-  PlaneSet othersFirst = 0, othersThen = 0;
-  for (std::size_t i = 0; i < normal_.size(); ++i) {
-    const Vector3& n = normal_[i];
-    const Pair along = firstWay[0] * n.x() + firstWay[1] * n.y() + firstWay[2] * n.z();
-    othersFirst |= static_cast<PlaneSet>(missing_[i] > along[0]) << i;
-    othersThen |= static_cast<PlaneSet>(missing_[i] > n.dot(way)) << i;
-    left = std::max(left, missing_[i] - along[1]);
-  }
-  pushingFirst |= othersFirst & ~guess;
-  if (pushingFirst != guess) {
-    guess = pushingFirst;
-    return std::nullopt;
-  }
-  if ((pushingThen | (othersThen & ~guess)) != guess) return std::nullopt;
+  const Left left = leftBy(firstWay, way);
+  pushingFirst |= left.first & ~guess;
+  pushing |= left.second & ~guess;
+  if (pushingFirst != guess || pushing != guess) return {pushingFirst, false};
   double squares = 0;
   for (const double share : second) squares += share * share;
   const double longer = stretchOf(squares, way.squaredNorm());
   for (std::size_t k = 0; k < Size; ++k) share_[of[k]] = longer * second[k];
-  const Vector3 nearest(firstWay[0][1], firstWay[1][1], firstWay[2][1]);
-  return Settled{guess, longer * way, nearest, isFirm && left <= kRounding * largest_};
+  if (isFirm && left.firm <= kRounding * largest_) {
+    return {guess, true, true, {firstWay[0][1], firstWay[1][1], firstWay[2][1]}};
+  }
+  return {guess, true, false, longer * way};
 }
 
 /// One is exact, but to the others, who see it give way.
-std::optional<PlaneShares::Settled> PlaneShares::giveToOne(PlaneSet& guess) noexcept {
+PlaneShares::Settled PlaneShares::giveToOne(PlaneSet guess) noexcept {
   constexpr double kFirst = 1 / (1 + kGive), kSecond = (1 + 2 * kGive) * kFirst * kFirst;
   const std::size_t one = membersOf<1>(guess)[0];
   const Vector3 way = missing_[one] * normal_[one];
   const PlaneSet pushingFirst = pushingAt(kFirst * way);
   const bool isRight = pushingFirst == guess && pushingAt(kSecond * way) == guess;
-  guess = pushingFirst;
-  if (!isRight) return std::nullopt;
+  if (!isRight) return {pushingFirst, false};
   share_[one] = missing_[one];
-  return Settled{guess, way, way, (pushingAt(way) & ~guess) == 0};
+  return {guess, true, (pushingAt(way) & ~guess) == 0, way};
 }
 
 }  // namespace haptiv
