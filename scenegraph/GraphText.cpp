@@ -4,7 +4,6 @@
 #include <Inventor/actions/SoWriteAction.h>
 #include <Inventor/engines/SoEngine.h>
 #include <Inventor/engines/SoEngineOutput.h>
-#include <Inventor/lists/SoFieldList.h>
 #include <Inventor/nodes/SoBlinker.h>
 #include <Inventor/nodes/SoPendulum.h>
 #include <Inventor/nodes/SoShuttle.h>
@@ -18,14 +17,6 @@
 
 namespace haptiv {
 namespace {
-
-std::vector<SoField*> fieldsOf(const SoFieldContainer* container) {
-  SoFieldList list;
-  const int count = container->getFields(list);
-  std::vector<SoField*> fields;
-  for (int i = 0; i < count; ++i) fields.push_back(list[i]);
-  return fields;
-}
 
 /// Whether an engine gives the field its value that takes some of its own from the field's node.
 bool comesBack(const SoField* field) {

@@ -16,11 +16,9 @@ namespace {
 
 std::vector<SoNode*> nodesInFields(const SoNode* node) {
   std::vector<SoNode*> nodes;
-  SoFieldList fields;
-  const int count = node->getFields(fields);
-  for (int i = 0; i < count; ++i) {
-    if (const auto* one = dynamic_cast<const SoSFNode*>(fields[i])) nodes.push_back(one->getValue());
-    if (const auto* many = dynamic_cast<const SoMFNode*>(fields[i])) {
+  for (const SoField* field : fieldsOf(node)) {
+    if (const auto* one = dynamic_cast<const SoSFNode*>(field)) nodes.push_back(one->getValue());
+    if (const auto* many = dynamic_cast<const SoMFNode*>(field)) {
       for (int k = 0; k < many->getNum(); ++k) nodes.push_back((*many)[k]);
     }
   }
@@ -35,6 +33,14 @@ std::vector<SoNode*> listed(const SoChildList& list) {
 }
 
 }  // namespace
+
+std::vector<SoField*> fieldsOf(const SoFieldContainer* container) {
+  SoFieldList list;
+  const int count = container->getFields(list);
+  std::vector<SoField*> fields;
+  for (int i = 0; i < count; ++i) fields.push_back(list[i]);
+  return fields;
+}
 
 std::vector<SoNode*> writtenChildren(const SoNode* node) {
   if (!node->isOfType(SoGroup::getClassTypeId())) return nodesInFields(node);

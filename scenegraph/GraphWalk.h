@@ -3,9 +3,14 @@
 #include <cstddef>
 #include <vector>
 
+class SoField;
+class SoFieldContainer;
 class SoNode;
 
 namespace haptiv {
+
+/// The fields of a node or an engine, in the order in which it declares them.
+std::vector<SoField*> fieldsOf(const SoFieldContainer* container);
 
 /// The nodes right below a node that stand in its text: children of a group, and nodes held by fields.
 std::vector<SoNode*> writtenChildren(const SoNode* node);

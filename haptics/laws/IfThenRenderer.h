@@ -12,8 +12,9 @@ namespace haptiv {
 /// have come without passing a wall. For one wall that is the depth of the ball's surface. The proxy is remembered, so
 /// that the ball cannot be pushed out on the far side of a thin wall, nor under the next wall of a corner; through a
 /// mesh it cannot go at all. In the free it is where the ball is.
-/// Where walls hold the ball together, each takes its share of the way out, and of the speed inwards: the force is
-/// continuous as another wall joins in, and two walls on one spot do not feel twice as stiff.
+/// Where walls hold the ball together, each takes its share d of the way out. It damps the part d / D of the speed into
+/// it, of the ball's depth D in it: the force is continuous as another wall joins in, and two walls on one spot do not
+/// feel twice as stiff. The dampers only take energy.
 /// Where the proxy slips over an edge under a ball that is pressed deeper than its radius, it goes a sixteenth of the
 /// radius a tick, so that the force turns, and does not step.
 /// Friction: contact/Friction.h. Hysteresis: contact/Hysteresis.h.

@@ -6,10 +6,11 @@
 #include <Inventor/nodes/SoIndexedNurbsSurface.h>
 #include <Inventor/nodes/SoNurbsSurface.h>
 
+#include "scenegraph/ReplaceNode.h"
+
 namespace haptiv {
 namespace {
 
-/// Of Coin's own type, so that it is written, searched and copied as one of these.
 template <typename Node>
 class Trimmable final : public Node, public TrimmableNurbs {
  public:
@@ -52,16 +53,11 @@ class Trimmable final : public Node, public TrimmableNurbs {
   }
 };
 
-template <typename Node>
-void replace() {
-  SoType::overrideType(Node::getClassTypeId(), []() -> void* { return new Trimmable<Node>; });
-}
-
 }  // namespace
 
 void makeNurbsTrimmable() {
-  replace<SoNurbsSurface>();
-  replace<SoIndexedNurbsSurface>();
+  replaceNode<SoNurbsSurface, Trimmable<SoNurbsSurface>>();
+  replaceNode<SoIndexedNurbsSurface, Trimmable<SoIndexedNurbsSurface>>();
 }
 
 }  // namespace haptiv

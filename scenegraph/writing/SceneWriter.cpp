@@ -1,7 +1,6 @@
 #include "scenegraph/writing/SceneWriter.h"
 
 #include <Inventor/fields/SoField.h>
-#include <Inventor/lists/SoFieldList.h>
 #include <Inventor/misc/SoProto.h>
 #include <Inventor/misc/SoProtoInstance.h>
 
@@ -30,16 +29,13 @@ bool holdsFloats(const SoField& field) {
 }
 
 void checkNumbers(const SoNode* node) {
-  SoFieldList fields;
-  const int count = node->getFields(fields);
-  for (int i = 0; i < count; ++i) {
-    const SoField& field = *fields[i];
-    if (field.isDefault() || !holdsFloats(field)) continue;
+  for (SoField* field : fieldsOf(node)) {
+    if (field->isDefault() || !holdsFloats(*field)) continue;
     SbString text;
-    const_cast<SoField&>(field).get(text);
+    field->get(text);
     if (std::string_view(text.getString()).find('n') == std::string_view::npos) continue;  // of nan, inf
     SbName name;
-    node->getFieldName(&field, name);
+    node->getFieldName(field, name);
     throw std::runtime_error(describe(node) + ": " + name.getString() +
                              " holds a number that is not finite, which a scene file cannot hold: correct it first");
   }

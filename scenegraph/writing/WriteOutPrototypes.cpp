@@ -1,7 +1,6 @@
 #include "scenegraph/writing/WriteOutPrototypes.h"
 
 #include <Inventor/fields/SoField.h>
-#include <Inventor/lists/SoFieldList.h>
 #include <Inventor/misc/SoChildList.h>
 #include <Inventor/misc/SoProto.h>
 #include <Inventor/misc/SoProtoInstance.h>
@@ -14,15 +13,13 @@ namespace {
 
 /// A field that takes its value from a prototype's (IS) keeps it.
 void keepValues(SoNode* node) {
-  SoFieldList fields;
-  const int count = node->getFields(fields);
-  for (int i = 0; i < count; ++i) {
+  for (SoField* field : fieldsOf(node)) {
     SoField* source = nullptr;
-    if (!fields[i]->getConnectedField(source)) continue;
+    if (!field->getConnectedField(source)) continue;
     if (!source->getContainer()->isOfType(SoProtoInstance::getClassTypeId())) continue;
-    fields[i]->evaluate();
-    fields[i]->disconnect();
-    fields[i]->setDefault(FALSE);
+    field->evaluate();
+    field->disconnect();
+    field->setDefault(FALSE);
   }
 }
 

@@ -1,6 +1,5 @@
 #include "scenegraph/reading/coin/FinestLevels.h"
 
-#include <Inventor/SoType.h>
 #include <Inventor/VRMLnodes/SoVRMLLOD.h>
 #include <Inventor/actions/SoCallbackAction.h>
 #include <Inventor/actions/SoGLRenderAction.h>
@@ -10,17 +9,14 @@
 #include <Inventor/nodes/SoLOD.h>
 #include <Inventor/nodes/SoLevelOfDetail.h>
 
+#include "scenegraph/ReplaceNode.h"
+
 namespace haptiv {
 namespace {
-
-// Of the nodes' own types to Coin, so that files stay what they are.
 
 /// Levels by distance.
 template <typename Levels>
 class Finest final : public Levels {
- public:
-  static void* make() { return new Finest; }
-
  protected:
   int whichToTraverse(SoAction*) override { return this->getNumChildren() > 0 ? 0 : -1; }
 };
@@ -28,8 +24,6 @@ class Finest final : public Levels {
 /// Levels by area on the screen.
 class FinestOfAreas final : public SoLevelOfDetail {
  public:
-  static void* make() { return new FinestOfAreas; }
-
   void doAction(SoAction* action) override {
     const SoAction::PathCode code = action->getCurPathCode();
     if (code == SoAction::IN_PATH) return SoGroup::doAction(action);
@@ -41,17 +35,12 @@ class FinestOfAreas final : public SoLevelOfDetail {
   void getPrimitiveCount(SoGetPrimitiveCountAction* action) override { doAction(action); }
 };
 
-template <typename Replacement>
-void replace(SoType type) {
-  SoType::overrideType(type, &Replacement::make);
-}
-
 }  // namespace
 
 void showFinestLevels() {
-  replace<Finest<SoLOD>>(SoLOD::getClassTypeId());
-  replace<Finest<SoVRMLLOD>>(SoVRMLLOD::getClassTypeId());
-  replace<FinestOfAreas>(SoLevelOfDetail::getClassTypeId());
+  replaceNode<SoLOD, Finest<SoLOD>>();
+  replaceNode<SoVRMLLOD, Finest<SoVRMLLOD>>();
+  replaceNode<SoLevelOfDetail, FinestOfAreas>();
 }
 
 }  // namespace haptiv

@@ -1,21 +1,19 @@
 #include "scenegraph/reading/coin/SceneCameras.h"
 
-#include <Inventor/SoType.h>
 #include <Inventor/VRMLnodes/SoVRMLViewpoint.h>
 #include <Inventor/nodes/SoFrustumCamera.h>
 #include <Inventor/nodes/SoOrthographicCamera.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <Inventor/nodes/SoReversePerspectiveCamera.h>
 
+#include "scenegraph/ReplaceNode.h"
+
 namespace haptiv {
 namespace {
 
-/// Of the camera's own type to Coin, so that files stay what they are.
 template <typename Camera>
 class Quiet : public Camera {
  public:
-  static void* make() { return new Quiet; }
-
   void doAction(SoAction*) override {}
   void callback(SoCallbackAction*) override {}
   void GLRender(SoGLRenderAction*) override {}
@@ -27,7 +25,7 @@ class Quiet : public Camera {
 
 template <typename Camera>
 void quiet() {
-  SoType::overrideType(Camera::getClassTypeId(), &Quiet<Camera>::make);
+  replaceNode<Camera, Quiet<Camera>>();
 }
 
 }  // namespace

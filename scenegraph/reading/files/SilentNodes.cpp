@@ -11,6 +11,7 @@
 #include <Inventor/nodes/SoTextureCubeMap.h>
 #include <stdlib.h>
 
+#include "scenegraph/ReplaceNode.h"
 #include "scenegraph/reading/files/NamedFields.h"
 
 namespace haptiv {
@@ -41,9 +42,9 @@ class SilentFile final : public SoFile {
   SbBool readNamedFile(SoInput*) override { return TRUE; }
 };
 
-template <typename Node, typename Replacement = Silent<Node>>
-void replace() {
-  SoType::overrideType(Node::getClassTypeId(), []() -> void* { return new Replacement; });
+template <typename Node>
+void silence() {
+  replaceNode<Node, Silent<Node>>();
 }
 
 }  // namespace
@@ -53,14 +54,14 @@ void forbidNodeLibraries() {
 }
 
 void silenceFileNodes() {
-  replace<SoFile, SilentFile>();
-  replace<SoTexture2>();
-  replace<SoTexture3>();
-  replace<SoTextureCubeMap>();
-  replace<SoBumpMap>();
-  replace<SoImage, SilentImage>();
-  replace<SoVRMLImageTexture>();
-  replace<SoVRMLAudioClip>();
+  replaceNode<SoFile, SilentFile>();
+  silence<SoTexture2>();
+  silence<SoTexture3>();
+  silence<SoTextureCubeMap>();
+  silence<SoBumpMap>();
+  replaceNode<SoImage, SilentImage>();
+  silence<SoVRMLImageTexture>();
+  silence<SoVRMLAudioClip>();
   SoVRMLInline::setReadAsSoFile(FALSE);  // WWWInline opens nothing without a callback
 }
 

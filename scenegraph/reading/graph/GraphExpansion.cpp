@@ -3,7 +3,6 @@
 #include <Inventor/VRMLnodes/SoVRMLExtrusion.h>
 #include <Inventor/fields/SoMFString.h>
 #include <Inventor/fields/SoMField.h>
-#include <Inventor/lists/SoFieldList.h>
 #include <Inventor/nodes/SoArray.h>
 #include <Inventor/nodes/SoMultipleCopy.h>
 
@@ -39,11 +38,9 @@ double timesTraversed(const SoNode* node) {
 
 double ownCost(const SoNode* node) {
   double cost = kNodeCost * timesTraversed(node);  // an array is gone through even where there is nothing in it
-  SoFieldList fields;
-  const int count = node->getFields(fields);
-  for (int i = 0; i < count; ++i) {
-    if (const auto* values = dynamic_cast<const SoMField*>(fields[i])) cost += values->getNum();
-    if (const auto* strings = dynamic_cast<const SoMFString*>(fields[i])) cost += letterCost(*strings);
+  for (const SoField* field : fieldsOf(node)) {
+    if (const auto* values = dynamic_cast<const SoMField*>(field)) cost += values->getNum();
+    if (const auto* strings = dynamic_cast<const SoMFString*>(field)) cost += letterCost(*strings);
   }
   if (const auto* extrusion = dynamic_cast<const SoVRMLExtrusion*>(node))
     cost += kQuadCost * static_cast<double>(extrusion->crossSection.getNum()) * extrusion->spine.getNum();

@@ -2,7 +2,6 @@
 
 #include <Inventor/fields/SoMFNode.h>
 #include <Inventor/fields/SoSFNode.h>
-#include <Inventor/lists/SoFieldList.h>
 #include <Inventor/nodes/SoGroup.h>
 #include <Inventor/nodes/SoSwitch.h>
 
@@ -28,11 +27,9 @@ void replaceChildren(SoGroup* group, const Shapes& shapes) {
 }
 
 void clearFields(SoNode* node, const Shapes& shapes) {
-  SoFieldList fields;
-  const int count = node->getFields(fields);
-  for (int i = 0; i < count; ++i) {
-    if (auto* one = dynamic_cast<SoSFNode*>(fields[i]); one && shapes.contains(one->getValue())) one->setValue(nullptr);
-    if (auto* many = dynamic_cast<SoMFNode*>(fields[i])) {
+  for (SoField* field : fieldsOf(node)) {
+    if (auto* one = dynamic_cast<SoSFNode*>(field); one && shapes.contains(one->getValue())) one->setValue(nullptr);
+    if (auto* many = dynamic_cast<SoMFNode*>(field)) {
       for (int k = many->getNum() - 1; k >= 0; --k) {
         if (shapes.contains((*many)[k])) many->deleteValues(k, 1);
       }
