@@ -56,13 +56,14 @@ void followWalls(const ContactSet& before, const Vector3& goal, Proxy& proxy) no
 }
 
 /// The proxy goes on from where the walls of the tick before let it come to, now held by the walls that are around
-/// there: those that it can meet within its way. Where it is let go and falls farther, it looks farther.
+/// there: those that it can meet within half of its way, which is nearly always enough. Where it goes farther, it looks
+/// farther.
 void meetWalls(const HapticScene& scene, MeshNeighbourhood& meshes, const Vector3& goal, double radius, double way,
                bool wasHeld, ContactSet& contacts, NearSurfaces& walls, Proxy& proxy) noexcept {
   const Vector3 start = proxy.position;
   const BallCourse course{goal - contacts.goal, radius};
   const double left = proxy.way;
-  for (const double ahead : {std::clamp(0.5 * way, kSlip / 2 * radius, radius), radius}) {
+  for (const double ahead : {std::clamp(way / 2, kSlip / 2 * radius, radius), radius}) {
     findWallsAround(scene, start, radius + ahead, course, contacts.boxes, walls);
     if (!wasHeld && walls.count == 0) return;
     proxy.position = start;
