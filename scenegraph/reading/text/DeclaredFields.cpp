@@ -29,9 +29,7 @@ bool hasFields(SoType type) {
   return type.isDerivedFrom(SoFieldContainer::getClassTypeId()) && type.canCreateInstance();
 }
 
-}  // namespace
-
-std::string declaredFieldsFault(const std::string& keyword, bool vrml2, const std::vector<std::string>& declared) {
+std::string faultOf(const std::string& keyword, bool vrml2, const std::vector<std::string>& declared) {
   if (declared.size() % 2 != 0) return "the list of fields is not made of pairs, type and name: correct it";
   const SoType type = typeOfKeyword(keyword, vrml2);
   if (!hasFields(type)) return {};
@@ -48,6 +46,14 @@ std::string declaredFieldsFault(const std::string& keyword, bool vrml2, const st
     }
   }
   return {};
+}
+
+}  // namespace
+
+std::string DeclaredFields::close(const std::string& keyword) {
+  if (!isOpen_) return {};
+  isOpen_ = false;
+  return faultOf(keyword, vrml2_, words_);
 }
 
 bool hasFieldOf(const std::string& keyword, bool vrml2, const std::set<std::string>& names) {

@@ -1,7 +1,5 @@
 #include "scenegraph/reading/text/SceneScan.h"
 
-#include <Inventor/SbName.h>
-
 #include <optional>
 
 #include "scenegraph/reading/text/DeclaredFields.h"
@@ -10,6 +8,7 @@
 #include "scenegraph/reading/text/OpenBrackets.h"
 #include "scenegraph/reading/text/PlainNodes.h"
 #include "scenegraph/reading/text/Prototypes.h"
+#include "scenegraph/reading/text/SceneEnd.h"
 #include "scenegraph/reading/text/SceneTokenizer.h"
 
 namespace haptiv {
@@ -24,7 +23,7 @@ constexpr std::size_t kMaxDiagnostics = 50;  // a broken file need not be quoted
 class Scanner {
  public:
   Scanner(std::string_view text, const std::string& file)
-      : tokens_(text), file_(file), vrml2_(text.starts_with("#VRML V2")), image_(text.size()) {}
+      : tokens_(text), file_(file), declared_(text.starts_with("#VRML V2")), image_(text.size()) {}
 
   SceneScan run() {
     while (scan_.diagnostics.size() < kMaxDiagnostics) {
@@ -38,8 +37,8 @@ class Scanner {
         scan_.isPlain = false;
         return std::move(scan_);
       }
-      if (brackets_.empty() && endsScene(token)) {
-        takeEnd(token);
+      if (isBetweenNodes() && endsScene(token, word_)) {
+        report(endOfScene(token, word_, !scan_.nodes.empty(), tokens_.rest()));
         return std::move(scan_);
       }
       take(token);
@@ -109,7 +108,7 @@ class Scanner {
 
   /// A string, or a word that may be an unquoted one.
   void takeValue(const SceneToken& token) {
-    if (declaring_) declared_.push_back(std::string(token.text));
+    declared_.take(token.text);
     if (token.kind == Kind::string) {
       word_.reset();
       prototypes_.takeString(brackets_.count());
@@ -128,8 +127,7 @@ class Scanner {
     } else {
       if (word_) bracket.field = word_->text;
       prototypes_.openList(brackets_.count());
-      declaring_ = word_ && (word_->text == "fields" || word_->text == "inputs") && !keyword().empty();
-      declared_.clear();
+      declared_.openList(word_ ? word_->text : std::string_view(), !keyword().empty());
     }
     word_.reset();
     brackets_.open(bracket);
@@ -159,13 +157,8 @@ class Scanner {
     if (brackets_.innermost().isBody) prototypes_.closeBody();
     if (brackets_.innermost().node != TextNode::kNone) scan_.nodes[brackets_.innermost().node].lastLine = token.line;
     brackets_.close();
-    if (declaring_) checkDeclared(token.line);
-    declaring_ = false;
-  }
-
-  void checkDeclared(int line) {
-    const std::string fault = declaredFieldsFault(keyword(), vrml2_, declared_);
-    if (!fault.empty()) fail(line, keyword(), fault);
+    const std::string fault = declared_.close(keyword());
+    if (!fault.empty()) fail(token.line, keyword(), fault);
   }
 
   void addUse(const SceneToken& token) {
@@ -182,33 +175,13 @@ class Scanner {
     }
   }
 
-  /// Between nodes, Coin takes whatever cannot begin one for the end.
-  bool endsScene(const SceneToken& token) const {
-    if (names_.expectsWord() || prototypes_.isOpen()) return false;
-    if (word_) return token.kind != Kind::open;
-    return token.kind != Kind::word || !SbName::isIdentStartChar(token.text.front());
-  }
-
-  void takeEnd(const SceneToken& token) {
-    const SceneToken& first = word_ ? *word_ : token;
-    const std::string culprit = "\"" + std::string(first.text.substr(0, 60)) + "\"";
-    if (word_ || scan_.nodes.empty())
-      return fail(first.line, {}, culprit + " is no node: a scene is made of Keyword { ... }");
-    const bool isLost = token.kind == Kind::open || tokens_.rest().find('{') != std::string_view::npos;
-    const bool isBracket = token.kind == Kind::close || token.kind == Kind::closeList;
-    fail(token.line, {},
-         culprit + (isBracket ? " closes nothing" : " is no node") +
-             (isLost ? ", and the nodes after it would not be read: remove it, or open the bracket before"
-                     : ", and nothing after it is read: remove it"));
-    if (!isLost) scan_.diagnostics.back().severity = Diagnostic::Severity::warning;
-  }
+  bool isBetweenNodes() const { return brackets_.empty() && !names_.expectsWord() && !prototypes_.isOpen(); }
 
   void finish() {
     if (!brackets_.empty()) {
       fail(brackets_.innermost().line, keyword(), "the bracket that opens here is never closed: is the file cut off?");
     } else if (word_) {
-      fail(word_->line, {},
-           "\"" + std::string(word_->text.substr(0, 60)) + "\" is no node: a scene is made of Keyword { ... }");
+      report(wordThatIsNoNode(*word_));
     }
   }
 
@@ -218,19 +191,21 @@ class Scanner {
   }
 
   void fail(int line, const std::string& node, const std::string& message) {
-    scan_.diagnostics.push_back({Diagnostic::Severity::error, file_, line, node, message, nullptr});
+    report({Diagnostic::Severity::error, {}, line, node, message, nullptr});
+  }
+  void report(Diagnostic diagnostic) {
+    diagnostic.file = file_;
+    scan_.diagnostics.push_back(std::move(diagnostic));
   }
 
   SceneTokenizer tokens_;
   const std::string& file_;
-  const bool vrml2_;
   SceneScan scan_;
   OpenBrackets brackets_;
   std::optional<SceneToken> word_;  ///< the word just before, which may turn out to be a keyword
   std::string_view before_;         ///< and the one before that
   NodeNames names_;
-  bool declaring_ = false;  ///< in `fields [ ... ]`
-  std::vector<std::string> declared_;
+  DeclaredFields declared_;
   ImageSize image_;
   Prototypes prototypes_;
 };
