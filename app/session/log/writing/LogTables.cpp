@@ -1,5 +1,7 @@
 #include "app/session/log/writing/LogTables.h"
 
+#include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "app/session/log/contents/LogLayout.h"
@@ -15,6 +17,13 @@ using namespace log_layout;
 constexpr std::size_t kTextChunk = 16384;  // [bytes]
 constexpr std::size_t kIndexChunk = 64;    // [rows]
 constexpr std::size_t kEventChunk = 256;   // [rows]
+
+/// HDF5 keeps some 250 bytes in memory for each chunk, as long as the file is open: of large scenes there are to be
+/// few. What a chunk that is not full loses when it is written again must stay small beside the scene.
+std::size_t sceneChunk(std::size_t sceneText) {
+  constexpr std::size_t kMost = 1 << 20;
+  return std::bit_floor(std::clamp(sceneText / 2, kTextChunk, kMost));
+}
 
 }  // namespace
 
@@ -41,13 +50,14 @@ void writeHead(const hdf5::Handle& file, const std::filesystem::path& path, cons
   }
 }
 
-void LogTables::create(const hdf5::Handle& file, const std::filesystem::path& path, std::size_t chunkRows) {
+void LogTables::create(const hdf5::Handle& file, const std::filesystem::path& path, std::size_t chunkRows,
+                       std::size_t sceneText) {
   end.push_back(Table::create(file, path, kComplete, Cell::int64, 1, 1));
   end.push_back(Table::create(file, path, kDropped, Cell::int64, 1, 1));
   end.push_back(Table::create(file, path, kReason, Cell::uint8, 1, kTextChunk));
   scenes.push_back(Table::create(file, path, kSceneIndex, Cell::int64, kIndexColumns, kIndexChunk));
-  scenes.push_back(Table::create(file, path, kSceneTexts, Cell::uint8, 1, kTextChunk));
-  scenes.push_back(Table::create(file, path, kSceneBytes, Cell::uint8, 1, kTextChunk));
+  scenes.push_back(Table::create(file, path, kSceneTexts, Cell::uint8, 1, sceneChunk(sceneText)));
+  scenes.push_back(Table::create(file, path, kSceneBytes, Cell::uint8, 1, sceneChunk(sceneText)));
   createEvents(file, path);
   for (const TickGroup& group : groups) {
     const std::string name = kServo + group.name;

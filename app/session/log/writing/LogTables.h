@@ -24,7 +24,10 @@ struct LogTables {
   std::vector<hdf5::Table> events;  ///< one
 
   /// All that there will be: what is made later is lost in a crash.
-  void create(const hdf5::Handle& file, const std::filesystem::path& path, std::size_t chunkRows);
+  /// @param chunkRows  ticks that are written at once
+  /// @param sceneText  how large the text of a scene is, about [bytes]
+  void create(const hdf5::Handle& file, const std::filesystem::path& path, std::size_t chunkRows,
+              std::size_t sceneText);
   void close();
 
  private:

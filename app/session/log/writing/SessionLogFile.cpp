@@ -30,7 +30,7 @@ SessionLogWriter::File::File(const std::filesystem::path& path, const SessionHea
   if (freeSpace_(path_) < kReserve) hdf5::fail(path_, "the disk is nearly full", "Make room there, or log elsewhere");
   file_ = hdf5::createFile(path_);
   writeHead(file_, path_, header);
-  tables_.create(file_, path_, chunkRows_);
+  tables_.create(file_, path_, chunkRows_, header.sceneText.size());
   hdf5::startSwmr(file_, path_);
   hdf5::flushToDisk(file_, path_);
 }
