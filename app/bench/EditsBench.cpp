@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "app/bench/Benches.h"
-#include "app/bench/TemporaryFile.h"
+#include "app/bench/TemporaryLog.h"
 #include "app/bench/measuring/BareTimer.h"
 #include "app/bench/measuring/MemoryPeak.h"
 #include "app/bench/measuring/ThreadCounters.h"
@@ -141,7 +141,7 @@ void benchPlan(BenchRun& run, const EditPlan& plan) {
   run.tell("edits: " + std::to_string(plan.rounds * plan.edits) + " of a running session among " +
            std::to_string(plan.walls) + " walls");
   EditedFloor floor(plan.walls);
-  const TemporaryFile log;
+  const TemporaryLog log;
   Session session(floor.setup(log.path()));
   DeadlineWatch watch(session);
   CallTimes times(static_cast<std::size_t>(plan.edits));

@@ -1,7 +1,7 @@
 #include <filesystem>
 
 #include "app/bench/Benches.h"
-#include "app/bench/TemporaryFile.h"
+#include "app/bench/TemporaryLog.h"
 #include "app/bench/scenes/ArmOnFloor.h"
 #include "app/session/log/writing/SessionLogWriter.h"
 #include "haptics/servo/FastLoop.h"
@@ -23,7 +23,7 @@ void benchLog(BenchRun& run) {
             ticks.push_back(record);
             return true;
           });
-  const TemporaryFile file;
+  const TemporaryLog file;
   SessionHeader header;
   header.deviceText = arm.description().text;
   header.rate = ArmOnFloor::kRate;
