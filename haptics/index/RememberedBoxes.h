@@ -69,6 +69,7 @@ class RememberedBoxes {
   /// Gathers a little of what lies ahead.
   template <typename Keeper>
   [[gnu::noinline]] void lookAhead(const BoundingTree& tree, const FloatBox& query, const Keeper& keeper) noexcept {
+    if (inner_.holds(query)) return;  // found anew in this call
     const Ahead ahead = keeper.ahead();
     if (!(ahead.margin > 0)) return;
     if (gathered_[1 - now_].isComplete()) begin(tree, query, ahead);
